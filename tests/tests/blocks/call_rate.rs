@@ -61,10 +61,6 @@ fn vibration(cycle: u32) -> f64 {
 /// A wrong rate: how often the block is called in a cycle.
 type Rate = fn(u32) -> u32;
 
-const TWICE: Rate = |_| 2;
-const EVERY_SECOND: Rate = |cycle| cycle % 2;
-const ONE_IN_FOUR_LOST: Rate = |cycle| u32::from(cycle % 4 != 0);
-
 /// What `v_add` is to the vibration: gain, and phase in degrees; and the first cycle with a fault.
 fn response(more: &str, rate: Rate) -> (f64, f64, Option<u32>) {
     const FIRST: u32 = 8000;
@@ -94,11 +90,12 @@ fn response(more: &str, rate: Rate) -> (f64, f64, Option<u32>) {
 fn a_wrong_rate_turns_the_phase_and_is_a_fault_where_calls_are_counted() {
     let (gain, phase, _) = response("", |_| 1);
     assert!((gain - 1.0).abs() < 1e-3 && (phase.abs() - 180.0).abs() < 0.1, "as designed: {gain} at {phase}");
-    for (name, rate, becomes, cycles) in [
-        ("twice", TWICE, "0.07 at -89", 3),
-        ("every second", EVERY_SECOND, "0.06 at 84", 5),
-        ("one in four lost", ONE_IN_FOUR_LOST, "0.17 at 97", 13),
-    ] {
+    let rates: [(&str, Rate, &str, u32); 3] = [
+        ("twice", |_| 2, "0.07 at -89", 3),
+        ("every second", |cycle| cycle % 2, "0.06 at 84", 5),
+        ("one in four lost", |cycle| u32::from(cycle % 4 != 0), "0.17 at 97", 13),
+    ];
+    for (name, rate, becomes, cycles) in rates {
         let (gain, phase, fault) = response("", rate);
         assert_eq!(format!("{gain:.2} at {phase:.0}"), becomes, "{name}");
         assert_eq!(fault, None, "nobody looks");
@@ -118,11 +115,9 @@ fn behind_a_pause(block: &mut Bench<ipc::Ipc>) -> Vec<f64> {
     block.inputs.v_motor = 0.0;
     let resumed = (1101..1111).map(|cycle| {
         block.inputs.cycle_counter = cycle;
-        let outputs = block.call();
-        assert!(!outputs.fault, "one pause is no fault");
-        outputs.v_add
+        block.call()
     });
-    resumed.collect()
+    resumed.inspect(|outputs| assert!(!outputs.fault, "one pause is no fault")).map(|outputs| outputs.v_add).collect()
 }
 
 #[test]
@@ -153,27 +148,22 @@ fn a_pause_hides_no_fault() {
 
 /// A block that has paused puts out what a new one puts out.
 fn assert_like_new<B: Block<f64>>(designed: &Designed, set: impl Fn(&mut B::Inputs, u32)) {
-    let run = |block: &mut Bench<B>, cycles: std::ops::Range<u32>| -> Vec<_> {
-        let outputs = cycles.map(|cycle| {
-            set(&mut block.inputs, cycle);
-            leaves(&block.call())
-        });
-        outputs.collect()
+    let call = |block: &mut Bench<B>, cycle| {
+        set(&mut block.inputs, cycle);
+        leaves(&block.call())
     };
+    let run = |block: &mut _, cycles: std::ops::Range<u32>| cycles.map(|cycle| call(block, cycle)).collect::<Vec<_>>();
     let (mut paused, mut other) = (Bench::<B>::new(designed), Bench::<B>::new(designed));
-    let before = run(&mut paused, 1..500);
-    assert_ne!(before[498], leaves(&B::outputs()), "it acts");
+    assert_ne!(run(&mut paused, 1..500)[498], leaves(&B::outputs()), "it acts");
     assert_eq!(run(&mut paused, 503..800), run(&mut other, 503..800), "{}: three calls are missing", B::NAME);
     // Two are no pause.
     assert_ne!(run(&mut paused, 802..900), run(&mut Bench::<B>::new(designed), 802..900), "{}", B::NAME);
 }
 
-/// A set that runs every part of an axis.
-const WHOLE: &str = include_str!("whole.toml");
-
 #[test]
 fn every_block_starts_anew_behind_a_pause() {
-    let whole = read(WHOLE);
+    // Every part of an axis runs.
+    let whole = read(include_str!("whole.toml"));
     assert_like_new::<feedforward::Feedforward>(&whole, |inputs, cycle| {
         inputs.v_interpolator = 1e5 * vibration(cycle);
         inputs.cycle_counter = cycle;
@@ -288,36 +278,31 @@ fn position_control_starts_anew_behind_a_pause() {
     assert_eq!(faults.collect::<Vec<_>>()[..4], [0, 0, 9, 9]);
 }
 
-const SPINDLE: &str = include_str!("spindle.toml");
-
 /// A pause alone stops a spindle whose drive is on: from its actual velocity, with the deceleration of the
 /// changeover, until reset.
 #[test]
 fn a_spindle_stops_behind_a_pause_without_a_jump() {
-    let designed = subject::read(SPINDLE);
+    let designed = subject::read(include_str!("spindle.toml"));
     let turning = || {
         let mut block = Bench::<spindle::Spindle>::new(&designed);
         for cycle in 1..200u32 {
             // It stands at first.
             let v = if cycle > 10 { 1e6 } else { 0.0 };
             block.inputs.x_command = 2000.0 * f64::from(cycle.saturating_sub(10)) % 360_000.0;
-            block.inputs.cycle_counter = cycle;
             (block.inputs.v_interpolator, block.inputs.v_actual) = (v, v);
-            block.inputs.x_actual = block.inputs.x_command;
+            (block.inputs.x_actual, block.inputs.cycle_counter) = (block.inputs.x_command, cycle);
             assert_eq!(block.call().error_id, 0, "cycle {cycle}");
         }
         block
     };
     let mut block = turning();
     (block.inputs.cycle_counter, block.inputs.v_actual, block.inputs.x_actual) = (300, 9e5, 90_000.0);
-    let step = block.coeffs.v_step;
-    let lead = block.coeffs.lead_time;
+    let (step, lead) = (block.coeffs.v_step, block.coeffs.lead_time);
     let first = block.call();
     assert_eq!((first.error_id, first.fault, first.loop_closed), (9, true, false));
     assert_eq!(first.v_spindle.to_bits(), (9e5 - step).to_bits(), "from the actual velocity on");
-    let x = 90_000.0 + 9e5 * lead + first.v_spindle * 0.002;
+    let (x, mut v) = (90_000.0 + 9e5 * lead + first.v_spindle * 0.002, first.v_spindle);
     assert!((first.x_spindle - x).abs() < 1e-6, "{} and {x}: where the drive has its lag", first.x_spindle);
-    let mut v = first.v_spindle;
     for cycle in 301..600 {
         block.inputs.cycle_counter = cycle;
         let outputs = block.call();
@@ -327,17 +312,24 @@ fn a_spindle_stops_behind_a_pause_without_a_jump() {
     (block.inputs.reset, block.inputs.cycle_counter) = (true, 600);
     assert_eq!(block.call().error_id, 0, "a reset ends it");
 
-    // While the drive is off nothing moves, and a pause is none.
+    // Half a turn in a cycle is not the velocity of a spindle: it goes on from its command.
     let mut block = turning();
-    (block.inputs.drive_on, block.inputs.cycle_counter) = (false, 200);
-    block.call();
-    block.inputs.cycle_counter = 900;
-    assert_eq!(block.call().error_id, 0);
+    (block.inputs.cycle_counter, block.inputs.v_actual) = (300, 9.1e7);
+    assert_eq!(block.call().v_spindle.to_bits(), (1e6 - step).to_bits());
+
+    // While the drive is off nothing moves, and a pause is none. It does not replace another error that stays.
+    for (drive_on, task_cycle_ns, error_id) in [(false, 0, 0), (true, 1, 1)] {
+        let mut block = turning();
+        (block.inputs.drive_on, block.inputs.task_cycle_ns, block.inputs.cycle_counter) =
+            (drive_on, task_cycle_ns, 200);
+        block.call();
+        block.inputs.cycle_counter = 900;
+        assert_eq!(block.call().error_id, error_id);
+    }
 
     // One lost call is tolerated, without a step of its own.
     let mut block = turning();
-    block.inputs.x_command = 2000.0 * 191.0 % 360_000.0;
-    block.inputs.cycle_counter = 201;
+    (block.inputs.x_command, block.inputs.cycle_counter) = (2000.0 * 191.0 % 360_000.0, 201);
     let outputs = block.call();
     assert_eq!((outputs.error_id, outputs.x_spindle, outputs.loop_closed), (0, block.inputs.x_command, true));
 }

@@ -1,0 +1,262 @@
+/* What docs/spindle.md states about the emitted block `spindle_axis`. With position control in the CNC: which angle is the lag, from
+ * which velocity an error brakes, which command a lost sample leaves; in the drive: when its velocity command is limited. Each row is
+ * a history of a few cycles, without a drive. Prints each row that does not hold, then the number of rows. Angles are in degrees; Kv
+ * is 20/s, the deceleration 1000 rpm/s.
+ *
+ * -DAXIS, -DHEADER, -DIN_DRIVE and -DADDITIVE as for drive.c.
+ */
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include HEADER
+
+#define JOIN2(a, b) a##b
+#define JOIN(a, b) JOIN2(a, b)
+#define STATE JOIN(AXIS, _spindle_axis_state)
+#define INPUTS JOIN(AXIS, _spindle_axis_inputs)
+#define OUTPUTS JOIN(AXIS, _spindle_axis_outputs)
+
+#define T 0.002
+#define DEGREE 1000.0
+#define PER_DEGREE (20.0 * DEGREE) /* of the lag, in the command of the position controller */
+#define STEP 12000.0 /* by which an error slows the spindle down in a cycle */
+#define GIVEN_UP 999.0 /* error 48 instead of a lag */
+
+static STATE state;
+static INPUTS inputs;
+static OUTPUTS outputs;
+static double x; /* the interpolator's position, turns not taken off */
+static double v;
+static int rows;
+#ifndef IN_DRIVE
+static bool feeds_forward; /* all of v, in the command or as an additive velocity */
+#endif
+
+static double wrap(double of)
+{
+    const double rest = fmod(of, 360000.0);
+    return rest < 0.0 ? rest + 360000.0 : rest;
+}
+
+/* The interpolator has moved on, and the actual position is behind it by a difference [deg]. */
+static void cycle(double difference)
+{
+    x += v * T;
+    inputs.x_command = wrap(x);
+    inputs.x_actual = inputs.x_command - difference * DEGREE;
+    inputs.v_interpolator = v;
+    JOIN(AXIS, _spindle_axis_step)(&state, &inputs, &outputs);
+}
+
+/* The first cycle of POSITION is the next one. The spindle stands. */
+static void before_position(void)
+{
+    STATE before = state;
+    v = 0.0;
+    for (int i = 0; i < 20; i++) {
+        before = state;
+        x = outputs.x_spindle;
+        cycle(0.0);
+        if (outputs.spindle_state == 0) {
+            break;
+        }
+    }
+    state = before;
+}
+
+/* POSITION with a velocity, and a lag that grows to a value; v_add has faded in. */
+static void turn(double velocity, double lag)
+{
+    JOIN(AXIS, _spindle_axis_init)(&state);
+    JOIN(AXIS, _spindle_axis_inputs_init)(&inputs);
+    outputs.x_spindle = 90000.0;
+    inputs.drive_on = true;
+#ifndef IN_DRIVE
+    inputs.feedforward_active = feeds_forward;
+#ifndef ADDITIVE
+    inputs.mode = 1;
+#endif
+#endif
+    before_position();
+    cycle(0.0);
+    v = velocity;
+    for (int i = 0; i <= 60; i++) {
+        cycle(lag * i / 60.0);
+    }
+}
+
+#ifndef ADDITIVE
+/* From there with M3 to VELOCITY. */
+static void turn_fast(void)
+{
+    turn(0.0, 0.0);
+    inputs.s_word = 2e6;
+    inputs.m3 = true;
+    v = 2e6;
+    for (int i = 0; i < 5; i++) {
+#ifdef IN_DRIVE
+        inputs.operation_mode_display = i < 3 ? 0 : 1;
+#endif
+        cycle(0.0);
+    }
+}
+#endif
+
+static void holds(bool condition, const char *name, double value)
+{
+    rows++;
+    if (!condition) {
+        printf("%s %.1f: error %u, v_spindle %.1f\n", name, value, (unsigned)outputs.error_id, outputs.v_spindle);
+    }
+}
+
+#ifndef IN_DRIVE
+static bool is_slowed_to(double velocity)
+{
+    return !outputs.loop_closed && fabs(outputs.v_spindle - velocity) < 1e-3 && outputs.v_command == outputs.v_spindle;
+}
+
+#ifndef ADDITIVE
+/* The lag of the last cycle is this one, in the command of the position controller. */
+static void has_lag(const char *name, double row, double lag)
+{
+    const bool is_given_up = outputs.error_id == 48u;
+    const bool is_lag = outputs.error_id == 0u && fabs(outputs.v_command - PER_DEGREE * lag) < 1e-3;
+    holds(lag == GIVEN_UP ? is_given_up : is_lag, name, row);
+}
+
+static void lose_x_actual(int cycles)
+{
+    for (int i = 0; i < cycles; i++) {
+        cycle(NAN);
+    }
+}
+
+/* The lag differs by at most 180 deg from the one before plus v (m + 1) T / 2: 20 deg a cycle are 20, 30 and 40. */
+static const struct {
+    double before, v;
+    int missed;
+    double difference, lag;
+} lags[] = {
+    { 0.0, 1e7, 1, -161.0, GIVEN_UP }, { 0.0, 1e7, 1, -159.0, -159.0 }, { 0.0, -1e7, 1, 161.0, GIVEN_UP },
+    { 0.0, -1e7, 1, 159.0, 159.0 }, { 0.0, 1e7, 2, -151.0, GIVEN_UP }, { 0.0, 1e7, 2, -149.0, -149.0 },
+    { 0.0, 1e7, 3, -141.0, GIVEN_UP }, { 0.0, 1e7, 3, -139.0, -139.0 }, { 100.0, 1e6, 0, -81.0, GIVEN_UP },
+    { 100.0, 1e6, 0, -79.0, -79.0 }, { -100.0, -1e6, 0, 81.0, GIVEN_UP }, { -100.0, -1e6, 0, 79.0, 79.0 },
+    /* Up to 60 deg, and without a lost sample, the difference is the lag. */
+    { 160.0, 1e6, 0, -59.0, -59.0 }, { 160.0, 1e6, 0, -61.0, GIVEN_UP }, { 160.0, 1e6, 1, -59.0, GIVEN_UP },
+    /* Up to 170 deg it is no error; the raw difference may be that of another turn. */
+    { 160.0, 1e6, 0, 169.0, 169.0 }, { 160.0, 1e6, 0, 171.0, GIVEN_UP }, { 160.0, 1e6, 0, -191.0, 169.0 },
+    { -160.0, -1e6, 0, -171.0, GIVEN_UP },
+};
+
+static void lags_continue(void)
+{
+    for (size_t i = 0; i < sizeof lags / sizeof lags[0]; i++) {
+        turn(lags[i].v, lags[i].before);
+        lose_x_actual(lags[i].missed);
+        cycle(lags[i].difference);
+        has_lag("lag", (double)i, lags[i].lag);
+    }
+    /* The velocity after the lost sample, however wild, does not count. */
+    turn(0.0, 0.0);
+    lose_x_actual(1);
+    v = 1e8;
+    x -= v * T;
+    cycle(0.0);
+    has_lag("wild", 0.0, 0.0);
+    /* Of a lag before BRAKE, or before the drive was off, nothing is left: neither the angle nor the command. */
+    for (int i = 0; i < 4; i++) {
+        turn(0.0, 160.0);
+        inputs.task_cycle_ns = i < 2 ? 1u : 0u;
+        inputs.drive_on = i < 2;
+        cycle(0.0);
+        inputs.task_cycle_ns = 0u;
+        inputs.drive_on = true;
+        inputs.reset = i < 2;
+        cycle(0.0);
+        inputs.reset = false;
+        before_position();
+        cycle(i % 2 == 0 ? -100.0 : NAN);
+        if (i % 2 == 0) {
+            has_lag("after", i, -100.0);
+        } else {
+            holds(outputs.error_id == 18u && outputs.v_command == 0.0, "after", i);
+        }
+    }
+}
+
+/* Error 48 comes with the closed loop's outputs, and before the fault of another part; then the spindle brakes from its command. */
+static void gives_up(bool has_fault)
+{
+    turn(1e7, 160.0);
+    inputs.v_motor = has_fault ? NAN : 0.0;
+    cycle(172.0);
+    const double command = outputs.v_command;
+    holds(outputs.error_id == 48u && fabs(command - PER_DEGREE * 172.0) < 1e-3, "gives up", has_fault);
+    inputs.v_motor = 0.0;
+    for (int i = 1; i < 4; i++) {
+        cycle(0.0);
+        holds(outputs.error_id == 48u && is_slowed_to(command - STEP * i), "given up", i);
+    }
+}
+
+/* An error in VELOCITY brakes from its own command, not from the last one of the position controller. */
+static void stops_in_velocity(void)
+{
+    turn_fast();
+    inputs.task_cycle_ns = 1u;
+    const bool was_fast = outputs.spindle_state == 2;
+    cycle(0.0);
+    holds(was_fast && is_slowed_to(2e6 - STEP), "stops", 2.0);
+}
+#endif
+
+/* A lost sample leaves the command; an error in POSITION brakes from v_spindle, within 0 and the whole velocity that the drive got. */
+static void stops(double velocity, double lag, double whole)
+{
+    turn(velocity, lag);
+    const double command = outputs.v_command;
+    cycle(NAN);
+    holds(outputs.error_id == 18u && outputs.v_command == command, "lost", lag);
+    inputs.task_cycle_ns = 1u;
+    cycle(lag);
+    holds(is_slowed_to(fmax(fmin(velocity - STEP, whole), 0.0)), "stops", lag);
+}
+#else
+/* The velocity command is limited at the ends of INT32: 2^31 increments are 1.288e9. */
+static void limits(double velocity, bool is_limited)
+{
+    turn_fast();
+    v = velocity;
+    cycle(0.0);
+    const bool is_end = outputs.velocity_command == (velocity > 0.0 ? INT32_MAX : INT32_MIN);
+    holds(outputs.spindle_state == 2 && outputs.limited == is_limited && is_end == is_limited, "limits", velocity);
+}
+#endif
+
+int main(void)
+{
+#ifdef IN_DRIVE
+    limits(1.288e9, false);
+    limits(1.289e9, true);
+    limits(-1.288e9, false);
+    limits(-1.289e9, true);
+#else
+#ifndef ADDITIVE
+    lags_continue();
+    gives_up(false);
+    gives_up(true);
+    stops_in_velocity();
+#endif
+    for (double lag = -80.0; lag <= 80.0; lag += 20.0) {
+        feeds_forward = false;
+        stops(1e6, lag, PER_DEGREE * lag);
+        feeds_forward = true;
+        stops(1e6, lag, PER_DEGREE * lag + 1e6);
+    }
+#endif
+    printf("%d\n", rows);
+    return 0;
+}
