@@ -312,10 +312,12 @@ fn a_spindle_stops_behind_a_pause_without_a_jump() {
     (block.inputs.reset, block.inputs.cycle_counter) = (true, 600);
     assert_eq!(block.call().error_id, 0, "a reset ends it");
 
-    // Half a turn in a cycle is not the velocity of a spindle: it goes on from its command.
-    let mut block = turning();
-    (block.inputs.cycle_counter, block.inputs.v_actual) = (300, 9.1e7);
-    assert_eq!(block.call().v_spindle.to_bits(), (1e6 - step).to_bits());
+    // A difference of positions over the whole pause is larger, or of another turn: it never accelerates or reverses the spindle.
+    for (v_actual, v) in [(1.1e7, 1e6 - step), (9.1e7, 1e6 - step), (-9e6, 0.0), (f64::NAN, 1e6 - step)] {
+        let mut block = turning();
+        (block.inputs.cycle_counter, block.inputs.v_actual) = (300, v_actual);
+        assert_eq!(block.call().v_spindle.to_bits(), v.to_bits());
+    }
 
     // While the drive is off nothing moves, and a pause is none. It does not replace another error that stays.
     for (drive_on, task_cycle_ns, error_id) in [(false, 0, 0), (true, 1, 1)] {

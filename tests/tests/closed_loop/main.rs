@@ -21,6 +21,11 @@ antr.v_reso_num = 1
 antr.v_reso_denom = 36
 kenngr.antr_typ = 'SERCOS'
 process_data.additive_velocity = 'INT32'";
+/// Feedforward of the velocity and the acceleration for a drive that controls the position.
+const ADDED_IN_DRIVE: &str = "vorsteuer.vorsteuerung = 'ADD_VEL ADD_ACC'
+process_data.additive_velocity = 'INT32'
+process_data.additive_torque = 'INT16'
+";
 /// Voff and the window of both spindles [rpm], and what a drive that is late adds.
 const TAKEN_UP: f64 = 50.0 + 1.0 + 0.1;
 
@@ -85,12 +90,17 @@ fn a_lag_of_half_a_turn_in_the_cnc_is_an_error_and_never_a_reversal() {
 }
 
 /// The lag of a blocked spindle grows by 22.8 deg in a cycle at 1900 rpm, by 45 deg at 3750 rpm: from 120 to 300 deg while three
-/// samples are missing. The last three runs are the rows of the page: their number, or each row that does not hold.
+/// samples are missing. The last four runs are the rows of the page: their number, or each row that does not hold.
 #[test]
 fn neither_a_blocked_spindle_nor_a_lost_sample_nor_an_error_is_a_step_of_the_command() {
     let fast = SET.replace("kv = 2000, multi_gain_z", "kv = 8000, multi_gain_z").replace("1200000", "12000000");
     let faster = SET.replace("kv = 2000, multi_gain_z", "kv = 18750, multi_gain_z").replace("1200000", "24000000");
     let added = SET.replace("1200000", "12000000").replace("vorsteuer.vorsteuerung = \"VEL\"", ADDED);
+    let both = SET.replacen("kv = 2000,", "kv = 2000, load = 0.1,", 1).replacen(
+        "[axis.S.antr]",
+        &format!("{ADDED_IN_DRIVE}[axis.S.antr]"),
+        1,
+    );
     for (source, set, axis, run, expected) in [
         (DRIVE, &*fast, "c", &["blocked", "1900"][..], "0.0 0\n"),
         (DRIVE, &faster, "c", &["blocked", "3750", "3"], "0.0 0\n"),
@@ -101,6 +111,7 @@ fn neither_a_blocked_spindle_nor_a_lost_sample_nor_an_error_is_a_step_of_the_com
         (STATED, SET, "s", &[], "4\n"),
         (STATED, SET, "c", &[], "69\n"),
         (STATED, &added, "c", &[], "36\n"),
+        (STATED, &both, "s", &[], "2\n"),
     ] {
         let (program, _folder) = built(source, set, axis);
         assert_eq!(said(&program, run), expected, "{axis} {run:?}");

@@ -1,5 +1,6 @@
 /* What docs/spindle.md states about the emitted block `spindle_axis`. With position control in the CNC: which angle is the lag, from
- * which velocity an error brakes, which command a lost sample leaves; in the drive: when its velocity command is limited. Each row is
+ * which velocity an error brakes, which command a lost sample leaves; in the drive: when its velocity command is limited, and that
+ * both of its velocities together are v_spindle. Each row is
  * a history of a few cycles, without a drive. Prints each row that does not hold, then the number of rows. Angles are in degrees; Kv
  * is 20/s, the deceleration 1000 rpm/s.
  *
@@ -224,6 +225,48 @@ static void stops(double velocity, double lag, double whole)
     cycle(lag);
     holds(is_slowed_to(fmax(fmin(velocity - STEP, whole), 0.0)), "stops", lag);
 }
+#elif defined ADDITIVE
+#define INCREMENTS (10.0 / 6.0) /* of the drive, for 0.001 deg/s */
+
+/* A whole way there and back, with a drive that follows and changes its mode three cycles later; in every cycle the drive, which may be
+ * in either mode, gets v_spindle once. In TO_POSITION the block ignores the interpolator, which may be anything. */
+static void shares(int32_t percentage, bool loses_sample)
+{
+    int32_t modes[3] = { 0, 0, 0 };
+    bool seen[5] = { false, false, false, false, false };
+    turn(0.0, 0.0);
+    inputs.feedforward_active = true;
+    inputs.feedforward_percentage = percentage;
+    inputs.s_word = 2e6;
+    for (int i = 0; i < 800; i++) {
+        const bool is_led = outputs.spindle_state < 3;
+        v = is_led ? fmin(outputs.v_spindle + 1e5, outputs.job == 1 ? 2e6 : 0.0) : NAN;
+        x = is_led ? outputs.x_spindle : NAN;
+        inputs.a_interpolator = is_led ? 1e6 : NAN;
+        inputs.m3 = i == 5;
+        inputs.m19 = i == 200;
+        inputs.v_actual = outputs.v_spindle;
+        inputs.operation_mode_display = modes[i % 3];
+        modes[i % 3] = outputs.operation_mode;
+        x += v * T;
+        inputs.x_command = wrap(x);
+        inputs.v_interpolator = v;
+        inputs.x_actual = wrap(outputs.x_spindle);
+        if (loses_sample && outputs.spindle_state == 1) {
+            inputs.v_interpolator = NAN;
+            loses_sample = false;
+        }
+        JOIN(AXIS, _spindle_axis_step)(&state, &inputs, &outputs);
+        const double sum = (double)outputs.velocity_command + (double)outputs.additive_velocity;
+        seen[outputs.spindle_state] = true;
+        if (fabs(sum - INCREMENTS * outputs.v_spindle) > 1.0 || (outputs.spindle_state == 4 && outputs.additive_torque != 0)
+            || (outputs.error_id != 0u && outputs.error_id != 14u)) {
+            holds(false, "share", i);
+            return;
+        }
+    }
+    holds(seen[0] && seen[1] && seen[2] && seen[3] && seen[4] && outputs.spindle_state == 0, "shares", percentage);
+}
 #else
 /* The velocity command is limited at the ends of INT32: 2^31 increments are 1.288e9. */
 static void limits(double velocity, bool is_limited)
@@ -238,7 +281,10 @@ static void limits(double velocity, bool is_limited)
 
 int main(void)
 {
-#ifdef IN_DRIVE
+#if defined IN_DRIVE && defined ADDITIVE
+    shares(100, false);
+    shares(37, true);
+#elif defined IN_DRIVE
     limits(1.288e9, false);
     limits(1.289e9, true);
     limits(-1.288e9, false);
