@@ -2,7 +2,7 @@
 
 use super::path::{self, Path};
 use super::values::{Setting, Values};
-use super::{axis_name, closest, list, other_kind, own_key, source::Source, toml_fault, value};
+use super::{axis_name, closest, list, other_kind, own_key, source::Source, toml_fault, toml_value, value};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Scope, path_with};
@@ -159,7 +159,7 @@ fn setting(
     let read = match with_radix {
         Some(refused) => Err(at_value(refused)),
         None => {
-            value::of_toml(name.parameter(), value).and_then(|read| own_key::fit(name, read).map_err(at_value))
+            toml_value::of_toml(name.parameter(), value).and_then(|read| own_key::fit(name, read).map_err(at_value))
         }
     };
     // An unreadable value in a list may belong to another function. A set is written for axgen: an unreadable key is an
