@@ -41,7 +41,11 @@ impl AxisDrive {
         let model = DriveModel {
             delay_cycles: Some(setup.delay),
             time_constant: (setup.time_constant > 0.0).then_some(setup.time_constant),
-            response: stated.response.clone(),
+            // Its loop was closed only if the set states the gain.
+            response: stated.response.as_ref().map(|measured| match in_drive {
+                Some(gain) => measured.in_position_loop(gain),
+                None => measured.clone(),
+            }),
             position_gain: Some(position_gain),
         };
         let filter = model.response.as_ref().map(|measured| ResponseFilter::new(&measured.response, cycle, in_drive));
