@@ -33,10 +33,7 @@ pub fn stages(
 ) -> (Option<Applied>, Report) {
     let before = match load(path) {
         Ok(before) => before,
-        Err(unreadable) => {
-            let (code, found) = unreadable.said();
-            return (None, Diagnostic::error(code, Place::whole(path.slashes()), found).into());
-        }
+        Err(unreadable) => return (None, unreadable.diagnostic(path.slashes()).into()),
     };
     let with = |bytes: &[u8], of: &Path| if of == path { Ok(bytes.to_vec()) } else { load(of) };
     let old = |of: &Path| -> Result<Vec<u8>, Unreadable> { with(&before, of) };

@@ -158,12 +158,12 @@ codes! {
          axgen's without a value is probably that parameter, mistyped: its default would be used. Correct the name, or give the \
          parameter its value.";
     OWN_KEYS = "AX121", "keys of axgen in the comments of a list",
-        "`axgen export` writes keys that no controller knows as comments, `# axgen: fade 200ms`, and only `axgen import` reads them. \
-         Where the list is read directly, its blocks are those of an axis without these keys: import the list, or write the keys \
-         into the set that names it. A list whose comment has another cycle time than the given one is an error.";
+        "`axgen export` writes keys that no controller knows as comments, `# axgen: fade 200ms`, and only `axgen import` reads \
+         them. Where the list is read directly, its blocks are those of an axis without these keys: import the list, or write \
+         the keys into the set that names it. A list whose comment has another cycle time than the given one is an error.";
     UNFIT_TEXT = "AX122", "a text that no list can hold",
-        "`axgen export` writes the text into a line of the list. A line end in it would begin another line, with a parameter that \
-         the set does not have, and `]]>` would end the list in a TwinCAT project.";
+        "`axgen export` writes the text into a line of the list. A line end in it would begin another line, with a parameter \
+         that the set does not have, and `]]>` would end the list in a TwinCAT project.";
 
     NUMBER = "AX201", "not a number",
         "A number is decimal, with a point and an exponent where a real number is allowed, or hexadecimal with 0x. NaN and \
@@ -711,9 +711,9 @@ codes! {
          blocks position_control and axis have one Kv, P-AXIS-00099, and the margins of the stages are calculated with it. \
          SERCOS and CANopen drives do not have this function.";
     GANTRY_COUNTER = "AX499", "one axis of a gantry that counts its calls",
-        "With the key cycle_counter a block stops with error 9 after skipped or doubled calls. If only one axis of a gantry has the \
-         key, it stops alone, and the other one goes on: in a simulated loop the bridge was 95 mm askew, and 0.9 mm with the key \
-         in both axes. Give all axes of the gantry the key, and stop all of them after an error of one.";
+        "With the key cycle_counter a block stops with error 9 after skipped or doubled calls. If only one axis of a gantry has \
+         the key, it stops alone, and the other one goes on: in a simulated loop the bridge was 95 mm askew, and 0.9 mm with the \
+         key in both axes. Give all axes of the gantry the key, and stop all of them after an error of one.";
 
     NO_INTERVAL = "AX500", "a recording without a sampling interval",
         "The file has neither a column of times nor the line SampleTime of an export, or its times do not rise by the cycle of a \

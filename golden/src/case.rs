@@ -102,9 +102,7 @@ pub fn axis(folder: &Path) -> Result<Designed, String> {
 
 fn described(folder: &Path) -> Result<Description, String> {
     let path = folder.join("case.toml");
-    let bytes = config::load(&path).map_err(|unreadable| format!("{}: {}", path.slashes(), unreadable.said().1))?;
-    let text = String::from_utf8(bytes).map_err(|error| format!("{}: {error}", path.slashes()))?;
-    toml::from_str(&text).map_err(|error| format!("{}: {error}", path.slashes()))
+    toml::from_str(&source::text(&path)?).map_err(|error| format!("{}: {error}", path.slashes()))
 }
 
 /// The axis of a case, from that file.

@@ -6,6 +6,7 @@ use crate::series;
 use crate::signals::{self, Map};
 use crate::table::{Column, Table};
 use crate::written::Precision;
+use compiler::arithmetic;
 use compiler::program::Type;
 use portable::{Extreme, Literal};
 
@@ -137,17 +138,7 @@ impl Recording {
 
     /// The recording with other samples.
     pub(crate) fn with_samples(&self, inputs: Samples, outputs: Samples) -> Self {
-        Self {
-            inputs,
-            outputs,
-            given: self.given.clone(),
-            recorded: self.recorded.clone(),
-            left_out: self.left_out.clone(),
-            skipped: self.skipped.clone(),
-            lines: self.lines.clone(),
-            input_precision: self.input_precision.clone(),
-            output_precision: self.output_precision.clone(),
-        }
+        Self { inputs, outputs, ..self.clone() }
     }
 
     /// The recording with the inputs of a stimulus, if it contains no inputs: then all their bits are known.
@@ -281,10 +272,5 @@ fn apart(a: Literal, b: Literal) -> f64 {
 }
 
 fn number(value: Literal) -> Option<f64> {
-    match value {
-        Literal::F64(value) => Some(value),
-        Literal::F32(value) => Some(f64::from(value)),
-        Literal::I32(value) => Some(f64::from(value)),
-        _ => None,
-    }
+    if let Literal::I32(value) = value { Some(f64::from(value)) } else { arithmetic::wide(value) }
 }

@@ -207,14 +207,11 @@ impl Marks {
 }
 
 fn wrong_row(table: &Table<'_>, row: &Row<'_>, found: usize, right: usize) -> Mistake {
-    let mistake = Mistake::new([row.line, 1], format!("{found} cells"), right_cells(right));
+    let right_cells = format!("{right} cells, as many as the header has columns");
+    let mistake = Mistake::new([row.line, 1], format!("{found} cells"), right_cells);
     let is_of_commas = table.has_commas() && found > right;
     let remedy = "export with a decimal point, or with semicolons or tabs between the cells";
     if is_of_commas { mistake.instead(remedy) } else { mistake }
-}
-
-fn right_cells(right: usize) -> String {
-    format!("{right} cells, as many as the header has columns")
 }
 
 fn missing(place: [usize; 2], column: &Column<'_>, part: &str, count: usize) -> Mistake {

@@ -82,7 +82,8 @@ pub(crate) fn program_line(program: &Path) -> Result<String, String> {
     Ok(format!("program {}\n", digest(text(program)?.as_bytes())))
 }
 
-fn text(path: &Path) -> Result<String, String> {
+/// The text of a file.
+pub(crate) fn text(path: &Path) -> Result<String, String> {
     let bytes = config::load(path).map_err(|unreadable| format!("{}: {}", path.slashes(), unreadable.said().1))?;
     String::from_utf8(bytes).map_err(|error| format!("{}: {error}", path.slashes()))
 }

@@ -13,7 +13,6 @@ use generator::blocks::Designed;
 use generator::codes;
 use generator::config::OptionKey;
 use generator::parameters::Name;
-use golden::svg;
 use std::path::Path;
 
 impl DriveArguments {
@@ -61,6 +60,5 @@ fn draw(path: &Path, designed: &Designed, force: bool) -> Result<(), Exit> {
         let found = format!("no stage of axis {} looks at v_motor: there is no loop to draw", designed.axis.name);
         Exit::input(codes::USAGE, "--picture", found)
     })?;
-    let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
-    one_file::write(Some(path), picture.svg().as_bytes(), Rule::earlier_output(force, &is_picture))
+    one_file::write(Some(path), picture.svg().as_bytes(), Rule::earlier_picture(force))
 }

@@ -42,10 +42,7 @@ fn difference(file: &File, folder: &Path, show: Show) -> Result<Option<String>, 
     let found = match config::load(&path) {
         Ok(bytes) => Some(bytes),
         Err(_) if fs::metadata(&path).is_err_and(is_missing) => None,
-        Err(unreadable) => {
-            let (code, found) = unreadable.said();
-            return Err(Exit::environment(code, path.slashes(), found));
-        }
+        Err(unreadable) => return Err(Exit::Environment(unreadable.diagnostic(path.slashes()).into())),
     };
     if found.as_deref().is_some_and(|found| is_text(found, &file.text)) {
         return Ok(None);

@@ -9,7 +9,7 @@ use commands::samples::checked;
 use generator::blocks::{Block, Designed};
 use generator::codes;
 use generator::config::{self, LARGEST_SAMPLES, Unreadable};
-use generator::diagnostics::{Diagnostic, Place, Slashes};
+use generator::diagnostics::Slashes;
 use golden::recording::{self, Recording};
 use golden::samples::{Samples, Shape};
 use golden::signals;
@@ -73,8 +73,7 @@ pub fn text(path: &Path) -> Result<String, Exit> {
         false => config::load_up_to(path, LARGEST_SAMPLES),
     };
     bytes.map(config::characters).map_err(|unreadable| {
-        let (code, found) = unreadable.said();
-        let said = Diagnostic::error(code, Place::whole(name_of(path)), found);
+        let said = unreadable.diagnostic(name_of(path));
         Exit::Input(match unreadable {
             Unreadable::TooLarge => said.allowed(format!("{} MiB", LARGEST_SAMPLES >> 20)).into(),
             Unreadable::System(_) => said.into(),

@@ -11,7 +11,6 @@ use commands::measure::{self, Reading, Recorded, Recordings};
 use commands::words::{TIMES, seconds};
 use generator::codes;
 use golden::measure::{Excitation, Measured, is_same_interval, picture, text};
-use golden::svg;
 use std::path::Path;
 
 /// Bits of a sequence, and the longest clock [cycles].
@@ -44,8 +43,7 @@ pub fn interval(text: &str) -> Result<f64, String> {
 pub fn run(of: &MeasureArguments, format: Format) -> Result<Exit, Exit> {
     let recording = of.recording.as_path();
     let is_response = |found: &[u8]| found.starts_with(text::HEAD.as_bytes());
-    let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
-    let rules = [Rule::earlier_output(of.force, &is_response), Rule::earlier_output(of.force, &is_picture)];
+    let rules = [Rule::earlier_output(of.force, &is_response), Rule::earlier_picture(of.force)];
     let outs = [of.response.as_deref(), of.picture.as_deref()].into_iter().zip(rules);
     one_file::allowed(outs, [Some(recording), of.excited.as_deref()].into_iter().flatten())?;
     let reading = Reading { map: &of.map, cycle_time: of.cycle_time, excitation: of.excitation };

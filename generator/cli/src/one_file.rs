@@ -1,10 +1,12 @@
-//! Writes single requested files, or standard output, but never over an input. The contents do not matter here.
+//! Writes single requested files, or standard output, but never over an input. Of contents, only the first bytes of a picture
+//! are known here.
 
 use crate::exit::Exit;
 use crate::output;
 use generator::codes;
 use generator::diagnostics::Slashes;
 use generator::write::{self, One, Replace};
+use golden::svg;
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::Path;
@@ -32,6 +34,11 @@ impl<'r> Rule<'r> {
             replace: if force { Replace::All } else { Replace::Those(begins) },
             found: "is not an earlier output of this command; give another name, or --force to replace it",
         }
+    }
+
+    /// The same for a picture.
+    pub fn earlier_picture(force: bool) -> Self {
+        Self::earlier_output(force, &|found: &[u8]| found.starts_with(svg::HEAD.as_bytes()))
     }
 
     /// Reports beforehand that a file would not be replaced, so that no long run is wasted.

@@ -28,10 +28,7 @@ impl Recorded {
         let text = match config::load(&path) {
             Ok(bytes) => Some(bytes),
             Err(_) if fs::symlink_metadata(&path).is_err() => None,
-            Err(unreadable) => {
-                let (code, found) = unreadable.said();
-                return Err(Exit::environment(code, path.slashes(), found));
-            }
+            Err(unreadable) => return Err(Exit::Environment(unreadable.diagnostic(path.slashes()).into())),
         };
         let manifest = text.as_deref().map_or(Ok(Manifest::new()), |bytes| {
             manifest::read(&String::from_utf8_lossy(bytes), &path.slashes()).map_err(Exit::Input)

@@ -13,7 +13,6 @@ use generator::diagnostics::Slashes;
 use golden::csv::{self, Reals};
 use golden::samples::Samples;
 use golden::scenario::{MOST, Options, Scenario, picture};
-use golden::svg;
 use std::path::Path;
 
 /// Runs the command.
@@ -33,9 +32,7 @@ pub fn run(of: &ScenarioArguments, format: Format) -> Result<Exit, Exit> {
     let drawn = picture::of(&scenario, &name, designed).svg();
     // An earlier stimulus has signals of the block in its first line; an earlier picture was written by axgen.
     let is_stimulus = |found: &[u8]| is_header(found, &scenario.inputs);
-    let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
-    let [of_stimulus, of_picture] =
-        [Rule::earlier_output(of.force, &is_stimulus), Rule::earlier_output(of.force, &is_picture)];
+    let [of_stimulus, of_picture] = [Rule::earlier_output(of.force, &is_stimulus), Rule::earlier_picture(of.force)];
     let stimulus = of.stimulus.as_deref().map(|path| one_file::stage(path, stimulus.as_bytes(), of_stimulus));
     let picture = of.picture.as_deref().map(|path| one_file::stage(path, drawn.as_bytes(), of_picture));
     let staged = [stimulus.transpose()?, picture.transpose()?];
@@ -73,10 +70,7 @@ pub fn made(
     format: Format,
 ) -> Result<Scenario, Exit> {
     let file = program.slashes();
-    let bytes = config::load(program).map_err(|of| {
-        let (code, found) = of.said();
-        Exit::input(code, &file, found)
-    })?;
+    let bytes = config::load(program).map_err(|unreadable| Exit::Input(unreadable.diagnostic(&file).into()))?;
     let (scenario, report) = scenario::run((&file, bytes), designed, block, options)?;
     input::said(Some(scenario), &report, format)
 }

@@ -14,7 +14,6 @@ use generator::codes;
 use generator::config;
 use generator::diagnostics::Slashes;
 use golden::measure::{Measured, Record, Verdict};
-use golden::svg;
 use golden::tune::{self, Prefer, Proposal, Stages, signals, text};
 use std::collections::BTreeMap;
 
@@ -22,8 +21,7 @@ use std::collections::BTreeMap;
 pub fn run(of: &TuneArguments, format: Format) -> Result<Exit, Exit> {
     let arguments = &of.subject.set;
     let drive = DriveArguments { response: of.response.clone(), ..DriveArguments::default() };
-    let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
-    let rules = [Rule::by_force(of.force), Rule::earlier_output(of.force, &is_picture)];
+    let rules = [Rule::by_force(of.force), Rule::earlier_picture(of.force)];
     let outs = [of.signals.as_deref(), of.picture.as_deref()].into_iter().zip(rules);
     let inputs = [Some(arguments.set.as_path()), Some(&of.recording), of.excited.as_deref()];
     one_file::allowed(outs, inputs.into_iter().flatten())?;

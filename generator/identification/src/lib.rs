@@ -28,20 +28,9 @@ mod welch;
 pub mod what_if;
 
 pub use stability::Complex64;
-use stability::magnitude;
+use stability::{angle, magnitude, turned};
 
 const ZERO: Complex64 = Complex64::new(0.0, 0.0);
-
-/// exp(j angle).
-fn turned(angle: f64) -> Complex64 {
-    let (sin, cos) = libm::sincos(angle);
-    Complex64::new(cos, sin)
-}
-
-/// The angle in (-pi, pi].
-fn angle(value: Complex64) -> f64 {
-    libm::atan2(value.im, value.re)
-}
 
 /// The next whole number of samples.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]

@@ -192,8 +192,8 @@ fn proposal(kind: Kind, search: &Search<'_, '_>, found: &Judged) -> Option<Propo
 }
 
 /// First stages without a response: 10 % of the largest weights, Ms within 2, with a drive of 1.5 cycles and 3 ms. Modes and
-/// frequencies [Hz] of the vibrations; one stage for each; Kv [1/s] of a position loop in the CNC, or in the drive. `None` without
-/// vibrations, or with more vibrations than stages.
+/// frequencies [Hz] of the vibrations, one stage for each; Kv [1/s] of a position loop in the CNC, or in the drive. `None`
+/// without vibrations, or with more vibrations than stages.
 #[must_use]
 pub fn first(
     vibrations: &[(Mode, f64)],

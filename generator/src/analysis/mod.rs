@@ -31,7 +31,8 @@ pub struct OfDrive {
     pub margins: Margins,
     /// the stages that close the loop
     pub stages: Vec<OfStage>,
-    /// lag of the drive alone at the f0 of each stage that looks at the motor [degrees, 0 to 360]
+    /// lag of the drive alone at the f0 of each stage that looks at the motor [degrees]: 0 to 360, or -90 to 270 with a position
+    /// controller of its own
     pub lag: Vec<(usize, f64)>,
     /// by frequency
     pub curve: Vec<Curve>,

@@ -22,6 +22,17 @@ pub struct MeasuredDrive {
     /// its file, as named in the set
     pub file: String,
     pub response: Arc<stability::Response>,
+    /// the part of it that is a delay outside of a position loop in the drive [s]
+    pub delay: f64,
+}
+
+impl MeasuredDrive {
+    /// The same drive, if it controls the position with this gain Kv [1/s].
+    #[must_use]
+    pub fn in_position_loop(&self, gain: f64) -> Self {
+        let response = stability::Response::clone(&self.response).in_position_loop(gain, self.delay);
+        Self { response: Arc::new(response), ..self.clone() }
+    }
 }
 
 impl DriveModel {

@@ -51,11 +51,12 @@ impl Ipc {
     }
 
     /// The centre frequencies of all active filters [Hz].
-    pub(crate) fn filter_f0s(&self) -> impl Iterator<Item = f64> {
+    pub fn filter_f0s(&self) -> impl Iterator<Item = f64> {
         self.stage.iter().flatten().flat_map(|stage| &stage.filter).filter_map(Filter::f0)
     }
 
-    pub(crate) fn is_active(&self) -> bool {
+    /// Whether a stage acts.
+    pub fn is_active(&self) -> bool {
         self.stage.iter().any(Option::is_some)
     }
 

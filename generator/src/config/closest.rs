@@ -48,6 +48,9 @@ pub(crate) fn in_a_set(known: &str, written: &str) -> String {
     }
 }
 
+/// No array of a set has more.
+const ELEMENTS: u32 = 16;
+
 /// `filter = [{ fg_f0 = ... }]` for `filter[0].fg_f0`; a key alone is written without a value.
 fn keys(parts: &[&str]) -> String {
     let name = |part: &str| part.split('[').next().unwrap_or_default().to_owned();
@@ -57,7 +60,9 @@ fn keys(parts: &[&str]) -> String {
         (_, false, _) => format!("{}.{}", part, keys(below)),
         (index, true, _) => {
             let value = if below.iter().any(|part| part.contains('[')) { "" } else { " = ..." };
-            format!("{} = [{}{{ {}{value} }}]", name(part), "{}, ".repeat(index as usize), keys(below))
+            // The index is as written, and can be any number.
+            let before = if index < ELEMENTS { "{}, ".repeat(index as usize) } else { "..., ".to_owned() };
+            format!("{} = [{before}{{ {}{value} }}]", name(part), keys(below))
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::{encoding, encoding::Encoding, source::Source, value::shown, values::Setting};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report, Slashes};
+use std::fmt::Display;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Read};
 use std::{path::Path, sync::Arc};
@@ -24,6 +25,12 @@ impl Unreadable {
             Self::TooLarge => (codes::TOO_LARGE, "is too large".to_owned()),
             Self::System(reason) => (codes::UNREADABLE, format!("cannot be read: {reason}")),
         }
+    }
+
+    /// The message about the file.
+    pub fn diagnostic(&self, file: impl Display) -> Diagnostic {
+        let (code, found) = self.said();
+        Diagnostic::error(code, Place::whole(file), found)
     }
 }
 

@@ -13,6 +13,7 @@
 //! shape        a path -> its parts and indices      path     path -> parameter and indices
 //! closest      the name that was meant
 //! value        text -> value of the parameter's kind
+//! toml_value   value of a set -> value of the parameter's kind
 //! values       what was given, each with its place
 //! given        all of it, for a set or for a list
 //! stage_option stages of the command line as keys
@@ -37,6 +38,7 @@ mod shape;
 pub(crate) mod source;
 pub(crate) mod stage_option;
 pub(crate) mod toml_fault;
+pub(crate) mod toml_value;
 pub(crate) mod value;
 pub(crate) mod values;
 
@@ -47,7 +49,8 @@ pub(crate) use project::AxisList;
 pub(crate) use set::AxisTable;
 pub(crate) use source::Source;
 pub use stage_option::stage_keys;
-pub(crate) use value::{of_text, of_toml, shown, spelled};
+pub(crate) use toml_value::of_toml;
+pub(crate) use value::{of_text, shown, spelled};
 pub(crate) use values::{Key, Setting, Values, key};
 
 /// The text of a file for messages, in any encoding.

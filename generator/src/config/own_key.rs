@@ -22,7 +22,8 @@ pub(crate) struct OwnKey<'l> {
 }
 
 pub(crate) fn in_comment(comment: &[u8]) -> Option<OwnKey<'_>> {
-    let rest = comment.strip_prefix(b"#")?.trim_ascii_start().strip_prefix(b"axgen:")?.trim_ascii_start();
+    let mut sign = OWN.split_ascii_whitespace();
+    let rest = sign.try_fold(comment, |rest, word| Some(rest.strip_prefix(word.as_bytes())?.trim_ascii_start()))?;
     let path = rest.split(u8::is_ascii_whitespace).next().unwrap_or_default();
     let text = rest[path.len()..].trim_ascii_start();
     let [path_at, text_at] = [rest, text].map(|part| comment.len() - part.len());
@@ -50,20 +51,13 @@ impl OwnKey<'_> {
             return Err(said.instead(known.unwrap_or_else(|| "a comment with another beginning".to_owned())).into());
         };
         let parameter = key.0.parameter();
-        let value = self.text.map_or_else(
-            || {
-                Err(Refused {
-                    code: codes::BYTE,
-                    found: "is not UTF-8".to_owned(),
-                    allowed: parameter.allowed(),
-                    instead: None,
-                })
-            },
-            |text| value_of(parameter, text),
-        );
-        let fit = value.and_then(|value| unfit(key.0, &value).map_or(Ok(value), Err));
-        fit.map(|value| (key, spelling, value))
-            .map_err(|refused| refused.diagnostic(key.0, self.path, value_place).into())
+        let found = || "is not UTF-8".to_owned();
+        let no_text = || Refused { code: codes::BYTE, found: found(), allowed: parameter.allowed(), instead: None };
+        let value = self.text.ok_or_else(no_text).and_then(|text| value_of(parameter, text));
+        match value.and_then(|value| fit(key.0, value)) {
+            Ok(value) => Ok((key, spelling, value)),
+            Err(refused) => Err(refused.diagnostic(key.0, self.path, value_place).into()),
+        }
     }
 }
 
@@ -95,16 +89,15 @@ pub(super) fn unread(own: &Values, given: &Values, cycle_time: Option<&Setting>)
     said
 }
 
-/// Why a text of a set could not stand in a list: it would end its line, or the list in a project.
-pub(super) fn unfit(name: Name, value: &Value) -> Option<Refused> {
-    let Value::Text(text) = value else { return None };
-    let is_unfit = is_own(name) && (text.contains(char::is_control) || text.contains("]]>"));
-    is_unfit.then(|| Refused {
-        code: codes::UNFIT_TEXT,
-        found: format!("is {}", shown(text)),
-        allowed: "a text without control characters and without `]]>`".to_owned(),
-        instead: None,
-    })
+/// A value that can stand in a list: a text of a set could end its line, or the list in a project.
+pub(super) fn fit(name: Name, value: Value) -> Result<Value, Refused> {
+    match &value {
+        Value::Text(text) if is_own(name) && (text.contains(char::is_control) || text.contains("]]>")) => {
+            let allowed = "a text without control characters and without `]]>`".to_owned();
+            Err(Refused { code: codes::UNFIT_TEXT, found: format!("is {}", shown(text)), allowed, instead: None })
+        }
+        _ => Ok(value),
+    }
 }
 
 /// Whether a list can contain the key only in a comment: axgen's own keys, except those for the source of an axis.

@@ -2,7 +2,7 @@
 
 use super::path::{self, Path};
 use super::values::{Setting, Values};
-use super::{axis_name, closest, list, other_kind, own_key, source::Source, toml_fault, value};
+use super::{axis_name, closest, list, other_kind, own_key, source::Source, toml_fault, toml_value, value};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Scope, path_with};
@@ -155,12 +155,12 @@ fn setting(
 ) -> Setting {
     let span = value.span();
     let with_radix = value::with_radix(name.parameter(), &source.bytes[span.clone()], &source.bytes[span.end..]);
+    let at_value = |refused| vec![(span.start, refused)];
     let read = match with_radix {
-        Some(refused) => Err(vec![(span.start, refused)]),
-        None => value::of_toml(name.parameter(), value).and_then(|read| match own_key::unfit(name, &read) {
-            Some(unfit) => Err(vec![(span.start, unfit)]),
-            None => Ok(read),
-        }),
+        Some(refused) => Err(at_value(refused)),
+        None => {
+            toml_value::of_toml(name.parameter(), value).and_then(|read| own_key::fit(name, read).map_err(at_value))
+        }
     };
     // An unreadable value in a list may belong to another function. A set is written for axgen: an unreadable key is an
     // error.

@@ -70,74 +70,65 @@ fn json(line: &str) -> Fault {
     (line.len() - line.trim_start().len(), found, "key = value, and [axis.X] above what belongs to an axis".to_owned())
 }
 
-/// A bracket that is not closed or closes nothing, or a string that is not closed within brackets or over lines.
+/// A bracket that is not closed or closes nothing, or a string that is not closed within brackets or over lines. The parser
+/// only has the place where it cannot go on, which is usually the end of the text.
 fn unclosed(text: &str) -> Option<Fault> {
-    let closing = |open: char| if open == '[' { ']' } else { '}' };
+    let closing = |open| if open == '[' { ']' } else { '}' };
     let without_end =
         |&(at, open): &(usize, char)| (at, format!("`{open}` without its end"), closing(open).to_string());
     let mut open: Vec<(usize, char)> = Vec::new();
     let mut at = 0;
     while let Some(sign) = text[at..].chars().next() {
         let rest = &text[at..];
-        at += sign.len_utf8();
+        let line = || rest.find('\n').unwrap_or(rest.len());
+        let mut length = sign.len_utf8();
         match sign {
-            '#' => at = text[at..].find('\n').map_or(text.len(), |end| at + end),
-            '"' | '\'' => match end_of_string(rest, sign) {
-                Some(end) => at += end - 1,
-                None if open.is_empty() && !is_of_lines(rest, sign) => {
-                    at = text[at..].find('\n').map_or(text.len(), |end| at + end);
-                }
-                None => {
-                    let end = if is_of_lines(rest, sign) { sign.to_string().repeat(3) } else { sign.to_string() };
-                    return Some((at - 1, "a string without its end".to_owned(), format!("{end} at its end")));
+            '#' => length = line(),
+            '"' | '\'' => match string(rest) {
+                (_, Some(end)) => length = end,
+                (quotes, None) if open.is_empty() && quotes.len() == 1 => length = line(),
+                (quotes, None) => {
+                    return Some((at, "a string without its end".to_owned(), format!("{quotes} at its end")));
                 }
             },
-            '[' | '{' => open.push((at - 1, sign)),
+            '[' | '{' => open.push((at, sign)),
             ']' | '}' => match open.pop() {
                 Some((_, opened)) if closing(opened) == sign => {}
                 Some(opened) => return Some(without_end(&opened)),
-                None => {
-                    return Some((at - 1, format!("`{sign}` closes nothing"), format!("the line without `{sign}`")));
-                }
+                None => return Some((at, format!("`{sign}` closes nothing"), format!("the line without `{sign}`"))),
             },
-            '\n' if begins_statement(&text[at..], open.last()) => return open.last().map(without_end),
+            '\n' => match open.last() {
+                Some(opened) if begins_statement(&rest[1..], opened.1) => return Some(without_end(opened)),
+                _ => {}
+            },
             _ => {}
         }
+        at += length;
     }
     open.last().map(without_end)
 }
 
-fn is_of_lines(text: &str, quote: char) -> bool {
-    text.starts_with(&quote.to_string().repeat(3))
-}
-
-/// The end of the string at the start of a text, after its quote.
-fn end_of_string(text: &str, quote: char) -> Option<usize> {
-    let is_long = is_of_lines(text, quote);
-    let quotes = quote.to_string().repeat(if is_long { 3 } else { 1 });
+/// The quotes of the string at the start of a text, and its end after them.
+fn string(text: &str) -> (&str, Option<usize>) {
+    let is_long = [r#"""""#, "'''"].iter().any(|quotes| text.starts_with(quotes));
+    let quotes = &text[..if is_long { 3 } else { 1 }];
     let mut is_escaped = false;
-    let start = quotes.len();
-    for (at, sign) in text[start..].char_indices() {
-        match sign {
-            '\n' if !is_long => return None,
-            _ if is_escaped => is_escaped = false,
-            '\\' if quote == '"' => is_escaped = true,
-            _ if text[start + at..].starts_with(&quotes) => return Some(start + at + quotes.len()),
-            _ => {}
-        }
-    }
-    None
+    let mut signs = text.char_indices().skip(quotes.len()).take_while(|(_, sign)| is_long || *sign != '\n');
+    let end = signs.find(|(at, sign)| {
+        let is_plain = !std::mem::take(&mut is_escaped);
+        is_escaped = is_plain && *sign == '\\' && quotes.starts_with('"');
+        is_plain && text[*at..].starts_with(quotes)
+    });
+    (quotes, end.map(|(at, _)| at + quotes.len()))
 }
 
-/// Whether a line within brackets is the name of a table, or within an array a key with its value.
-fn begins_statement(line: &str, open: Option<&(usize, char)>) -> bool {
-    let Some((_, open)) = open else { return false };
-    let line = line.lines().next().unwrap_or_default().trim_start();
+/// Whether a text within this bracket begins with the name of a table, or within an array with a key and its value.
+fn begins_statement(text: &str, open: char) -> bool {
+    let line = text.lines().next().unwrap_or_default().trim_start();
     let is_letter = |letter: char| letter.is_ascii_alphabetic();
-    let is_key = |letter: char| letter.is_ascii_alphanumeric() || "._-".contains(letter);
-    let is_header = line.starts_with('[') && line.trim_start_matches('[').starts_with(is_letter);
-    is_header
-        || *open == '[' && line.starts_with(is_letter) && line.trim_start_matches(is_key).trim_start().starts_with('=')
+    let after = line.trim_start_matches(|letter: char| letter.is_ascii_alphanumeric() || "._-".contains(letter));
+    line.starts_with('[') && line.trim_start_matches('[').starts_with(is_letter)
+        || open == '[' && line.starts_with(is_letter) && after.trim_start().starts_with('=')
 }
 
 /// The fault in a line about which the parser says these words.

@@ -4,8 +4,6 @@ use super::closest;
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, on_a_line};
 use crate::parameters::{Kind, Name, Parameter, Value, Word, real_text};
-use std::borrow::Cow;
-use toml::{Spanned, de::DeValue};
 
 /// Why a text is not a value of a parameter.
 #[derive(Debug, PartialEq, Eq)]
@@ -111,37 +109,6 @@ pub(crate) fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refuse
     }
 }
 
-/// The value of a parameter in a set; else all its errors, each with its position.
-pub(crate) fn of_toml(parameter: &Parameter, value: &Spanned<DeValue<'_>>) -> Result<Value, Vec<(usize, Refused)>> {
-    let found = match (parameter.kind, value.get_ref()) {
-        (Kind::Words(words), DeValue::Array(array)) => return of_array(parameter, words, array),
-        (kind, value) if toml_types(kind).1.contains(&value.type_str()) => {
-            of_text(parameter, &scalar(value)).map_err(|refused| Refused {
-                instead: match value {
-                    DeValue::Float(x) => whole(parameter, x.as_str()),
-                    _ => refused.instead,
-                },
-                ..refused
-            })
-        }
-        (_, other) => Err(wrong_type(parameter, other)),
-    };
-    found.map_err(|refused| vec![(value.span().start, refused)])
-}
-
-/// The description of a value of this kind in a set, for a message, and the scalar types of TOML that it may have.
-fn toml_types(kind: Kind) -> (&'static str, &'static [&'static str]) {
-    match kind {
-        Kind::Text => ("a string", &["string"]),
-        Kind::Word(_) => ("a string", &["string", "integer", "boolean"]),
-        Kind::Duration { .. } => ("a string: a number with a unit (s, ms, us or ns)", &["string"]),
-        Kind::Words(_) => ("an array of strings", &[]),
-        Kind::Flags(_) => ("a string or a whole number", &["string", "integer"]),
-        Kind::Integer { .. } => ("a whole number", &["integer", "float"]),
-        Kind::Real { .. } => ("a number", &["integer", "float"]),
-    }
-}
-
 /// A text from a file for a message: on one line, and not too long.
 pub(crate) fn shown(text: &str) -> String {
     const LONGEST: usize = 100;
@@ -163,7 +130,7 @@ fn of_word(parameter: &Parameter, words: &'static [Word], text: &str) -> Result<
 }
 
 /// Adds a word to those that were found; a duplicate is an error.
-fn add_word(
+pub(super) fn add_word(
     parameter: &Parameter,
     words: &'static [Word],
     text: &str,
@@ -222,24 +189,6 @@ fn meant(words: &[Word], number: i64, rest: i64) -> Option<String> {
     Some(format!("0x{:03x}, if {name} is meant", number & !rest | all))
 }
 
-/// Words, each an element of an array.
-fn of_array(
-    parameter: &Parameter,
-    words: &'static [Word],
-    array: &[Spanned<DeValue<'_>>],
-) -> Result<Value, Vec<(usize, Refused)>> {
-    let mut found = Vec::with_capacity(array.len());
-    let mut wrong = Vec::new();
-    for element in array {
-        let added = match element.get_ref() {
-            DeValue::String(text) => add_word(parameter, words, text, &mut found),
-            other => Err(wrong_type(parameter, other)),
-        };
-        wrong.extend(added.err().map(|refused| (element.span().start, refused)));
-    }
-    if wrong.is_empty() { Ok(Value::Words(found)) } else { Err(wrong) }
-}
-
 fn of_integer(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
     integer(text).map(Value::Integer).ok_or_else(|| {
         let too_large = signed(text).1.bytes().all(|byte| byte.is_ascii_digit()) && real(text).is_some();
@@ -262,7 +211,7 @@ fn of_real(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
 }
 
 /// Whether a parameter takes a text: no other one is advised.
-fn is_taken(parameter: &Parameter, text: &str) -> bool {
+pub(super) fn is_taken(parameter: &Parameter, text: &str) -> bool {
     let value = match parameter.kind {
         Kind::Integer { .. } => integer(text).map(Value::Integer),
         Kind::Real { .. } => real(text).map(Value::Real),
@@ -271,12 +220,6 @@ fn is_taken(parameter: &Parameter, text: &str) -> bool {
         }
     };
     value.is_some_and(|value| parameter.contains(&value))
-}
-
-/// The whole number that a float of TOML is: its point separates no groups of digits.
-fn whole(parameter: &Parameter, text: &str) -> Option<String> {
-    let text = real(text).filter(|x| x.fract() == 0.0)?.to_string();
-    is_taken(parameter, &text).then_some(text)
 }
 
 /// The number that a text of a list with digit groups or a decimal comma means. A single point or comma may be either.
@@ -336,7 +279,7 @@ fn integer(text: &str) -> Option<i64> {
 }
 
 /// Decimal with point and exponent, or 0x; finite.
-fn real(text: &str) -> Option<f64> {
+pub(super) fn real(text: &str) -> Option<f64> {
     let (_, digits) = signed(text);
     if digits.starts_with("0x") || digits.starts_with("0X") {
         #[expect(clippy::cast_precision_loss, reason = "rounded to nearest, as a decimal is")]
@@ -383,7 +326,7 @@ fn of_duration(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
 }
 
 /// A time without a unit with the units that are likely.
-fn with_unit(parameter: &Parameter, number: &str) -> Option<String> {
+pub(super) fn with_unit(parameter: &Parameter, number: &str) -> Option<String> {
     let of = |unit: &str, word: &str| {
         let time = format!("{number}{unit}");
         is_taken(parameter, &time).then(|| format!("\"{time}\", if {word} are"))
@@ -393,40 +336,5 @@ fn with_unit(parameter: &Parameter, number: &str) -> Option<String> {
     match (seconds, of("ms", "milliseconds")) {
         (Some(seconds), Some(milliseconds)) => Some(format!("{seconds} meant, or {milliseconds}")),
         (seconds, milliseconds) => seconds.or(milliseconds).map(|time| format!("{time} meant")),
-    }
-}
-
-fn wrong_type(parameter: &Parameter, value: &DeValue<'_>) -> Refused {
-    let (needed, _) = toml_types(parameter.kind);
-    let instead = match (parameter.kind, value) {
-        (Kind::Integer { .. } | Kind::Real { .. }, DeValue::String(text)) => {
-            let value = of_text(parameter, text).ok().filter(|value| parameter.contains(value));
-            value.map(|value| format!("{}, without quotes", value.text()))
-        }
-        (Kind::Duration { .. }, DeValue::Integer(_) | DeValue::Float(_)) => with_unit(parameter, &scalar(value)),
-        _ => None,
-    };
-    Refused {
-        code: codes::TYPE,
-        found: format!("is of type {}", value.type_str()),
-        allowed: match parameter.kind {
-            Kind::Text => needed.to_owned(),
-            _ => format!("{needed}, {}", parameter.allowed()),
-        },
-        instead,
-    }
-}
-
-/// A text, a number or a truth value of a set, as a list would write it.
-fn scalar<'v>(value: &'v DeValue<'_>) -> Cow<'v, str> {
-    match value {
-        DeValue::String(text) => Cow::Borrowed(text),
-        DeValue::Integer(n) if n.radix() == 10 => Cow::Borrowed(n.as_str()),
-        DeValue::Integer(n) => {
-            Cow::Owned(i64::from_str_radix(n.as_str(), n.radix()).map_or_else(|_| n.to_string(), |n| n.to_string()))
-        }
-        DeValue::Float(x) => Cow::Borrowed(x.as_str()),
-        DeValue::Boolean(is_true) => Cow::Borrowed(if *is_true { "TRUE" } else { "FALSE" }),
-        other => Cow::Borrowed(other.type_str()),
     }
 }

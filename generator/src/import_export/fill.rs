@@ -137,6 +137,5 @@ impl Filling<'_> {
 }
 
 fn text_of((name, _): Key, setting: &Setting, value: &Value) -> String {
-    let text = spelling::in_list(name.parameter(), &setting.source.bytes[setting.value_at..], value);
-    if own_key::is_own(name) { own_key::text_of(value, text) } else { text }
+    spelling::in_list(name, &setting.source.bytes[setting.value_at..], value)
 }

@@ -57,7 +57,7 @@ struct Taken {
     /// the lines, with a hole for each known value
     lines: Encoded,
     /// the value of axgen's own comment
-    cycle_time: Option<String>,
+    cycle_time: Option<toml_edit::Value>,
 }
 
 impl Taken {
@@ -76,11 +76,11 @@ impl Taken {
                 (Some(slot), Some(value)) => {
                     let parameter = slot.key.0.parameter();
                     let toml = spelling::in_toml(parameter, slot.text, &value);
-                    let same = spelling::in_list(parameter, toml.to_string().as_bytes(), &value) == slot.text;
+                    let same = spelling::in_list(slot.key.0, toml.to_string().as_bytes(), &value) == slot.text;
                     let hole = format!("{HOLE}{}", if same { "" } else { slot.text });
                     text.splice(slot.range, hole.bytes());
                     if slot.key.0 == Name::CycleTime {
-                        cycle_time = Some(slot.text.to_owned());
+                        cycle_time = Some(toml);
                     } else {
                         let above = comments_above(std::mem::take(&mut above));
                         let comment = match line.content {
@@ -106,10 +106,9 @@ impl Taken {
 
     /// The text of the set, with the cycle time of the command line.
     fn set(self, name: &str, file: &str, cycle_time: Option<String>) -> String {
-        let cycle_time = match cycle_time.or(self.cycle_time) {
-            Some(text) => {
-                let text = toml_edit::Value::from(text);
-                format!("# Cycle of the position controller; no axis list holds it.\ncycle_time = {text}\n")
+        let cycle_time = match cycle_time.map(toml_edit::Value::from).or(self.cycle_time) {
+            Some(value) => {
+                format!("# Cycle of the position controller; no axis list holds it.\ncycle_time = {value}\n")
             }
             None => "# Cycle of the position controller: no axis list holds it. Write yours, without the first `#`.\n\
                      # cycle_time = \"1ms\"\n"

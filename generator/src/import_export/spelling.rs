@@ -1,7 +1,7 @@
 //! The text of a value in a list, and its text in TOML, with the same spelling if both allow it.
 
-use crate::config::{of_text, of_toml, spelled};
-use crate::parameters::{Parameter, Value};
+use crate::config::{of_text, of_toml, own_key, spelled};
+use crate::parameters::{Name, Parameter, Value};
 use toml::de::DeValue;
 
 /// The value of a list as TOML: in its own spelling if TOML reads that as the same value, else in the canonical form.
@@ -19,8 +19,8 @@ pub(super) fn in_toml(parameter: &Parameter, text: &str, value: &Value) -> toml_
 }
 
 /// The value that begins these bytes of a set, for a list: in its own spelling if a list reads that as the same value, else
-/// in the canonical form.
-pub(super) fn in_list(parameter: &Parameter, toml: &[u8], value: &Value) -> String {
+/// in the canonical form; for a comment, if it is one of axgen's own keys.
+pub(super) fn in_list(name: Name, toml: &[u8], value: &Value) -> String {
     let spelled = match toml.first() {
         Some(quote @ (b'"' | b'\'')) => toml[1..].split(|byte| byte == quote).next().unwrap_or_default(),
         _ => toml.split(|byte| !byte.is_ascii_alphanumeric() && !b"+-._".contains(byte)).next().unwrap_or_default(),
@@ -31,8 +31,9 @@ pub(super) fn in_list(parameter: &Parameter, toml: &[u8], value: &Value) -> Stri
         "false" => "FALSE",
         other => other,
     };
-    let same = plain && !spelled.is_empty() && of_text(parameter, spelled).as_ref() == Ok(value);
-    if same { spelled.to_owned() } else { value.text() }
+    let same = plain && !spelled.is_empty() && of_text(name.parameter(), spelled).as_ref() == Ok(value);
+    let text = if same { spelled.to_owned() } else { value.text() };
+    if own_key::is_own(name) { own_key::text_of(value, text) } else { text }
 }
 
 /// The text that a controller treats as a comment after a value, as a comment of TOML, with a blank after it.

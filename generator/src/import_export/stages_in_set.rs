@@ -56,12 +56,11 @@ fn below<'i>(table: &'i Table, path: &[&str]) -> Option<&'i Item> {
 /// The largest end of anything in an item.
 fn end_of(item: &Item) -> usize {
     let below = match item {
-        Item::Table(table) => table.iter().map(|(_, item)| end_of(item)).max(),
-        Item::ArrayOfTables(tables) => tables.iter().map(end_of_table).max(),
-        Item::Value(_) | Item::None => None,
+        Item::Table(table) => end_of_table(table),
+        Item::ArrayOfTables(tables) => tables.iter().map(end_of_table).max().unwrap_or(0),
+        Item::Value(_) | Item::None => 0,
     };
-    let own = item.span().map_or(0, |span| span.end);
-    own.max(below.unwrap_or(0))
+    item.span().map_or(0, |span| span.end).max(below)
 }
 
 fn end_of_table(table: &Table) -> usize {

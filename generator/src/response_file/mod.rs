@@ -31,7 +31,7 @@ mod text;
 mod units;
 
 use crate::diagnostics::{Diagnostic, Place, Report};
-use stability::{Complex64, Response, magnitude};
+use stability::{Complex64, Response, angle, magnitude, turned};
 
 /// Input and output of a measured response. The delay [s] is the part that the measurement does not contain of the way from
 /// the cycle that writes the commanded velocity to the cycle that reads its effect: the cycles between the CNC and the
@@ -189,11 +189,5 @@ fn of_table<'t>(text: &'t str, said: &mut Said<'_>) -> Result<Reading<'t>, Repor
 
 /// [deg]
 fn degrees(value: Complex64) -> f64 {
-    libm::atan2(value.im, value.re).to_degrees()
-}
-
-/// exp(j angle).
-fn turned(angle: f64) -> Complex64 {
-    let (sin, cos) = libm::sincos(angle);
-    Complex64::new(cos, sin)
+    angle(value).to_degrees()
 }

@@ -55,12 +55,14 @@ pub fn magnitude(value: Complex64) -> f64 {
 }
 
 /// The angle in (-pi, pi].
-fn angle(value: Complex64) -> f64 {
+#[must_use]
+pub fn angle(value: Complex64) -> f64 {
     libm::atan2(value.im, value.re)
 }
 
 /// exp(j angle).
-fn turned(angle: f64) -> Complex64 {
+#[must_use]
+pub fn turned(angle: f64) -> Complex64 {
     let (sin, cos) = libm::sincos(angle);
     Complex64::new(cos, sin)
 }

@@ -154,7 +154,7 @@ fn a_block_that_holds_the_others_is_the_one_to_call() {
         &[
             "The block `axis_x_axis` holds the block `axis_x_ipc`. Call `axis_x_axis` only.",
             "do not add `v_add` once more",
-            "The mean of `manipulated_variable` must have the sign of\nthe velocity command that the drive receives, and be within 2 %",
+            "`manipulated_variable` must have the sign of\nthe velocity command that the drive receives, and be within 2 %",
             "to the drive only with `x_command` equal to `x_actual` and `feedforward_active` FALSE.\nThere is no ramp",
             "`axis_x_axis_self_test`",
             "axgen run trial/SET --axis X --block axis --engine st --compare recorded.csv",

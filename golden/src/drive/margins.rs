@@ -17,7 +17,7 @@ pub(crate) fn ms(designed: &Designed, model: &DriveModel) -> Option<f64> {
 pub(crate) fn margins(designed: &Designed, model: &DriveModel) -> Margins {
     let designed = &*of_motor(designed);
     match analysis::analyze(designed, model).drives.into_iter().next() {
-        Some(of) if is_on(designed) => of.margins,
+        Some(of) if designed.axis.ipc.is_active() => of.margins,
         _ => of_position(&designed.axis, model),
     }
 }
@@ -40,11 +40,6 @@ pub(crate) fn looks_at_load(designed: &Designed) -> bool {
 
 fn is_of_load(stage: &Stage) -> bool {
     matches!(stage.mode, Mode::Direct { source: DirectSource::Direct })
-}
-
-/// Whether a stage acts.
-pub(crate) fn is_on(designed: &Designed) -> bool {
-    designed.axis.ipc.stage.iter().any(Option::is_some)
 }
 
 /// The position loop alone.

@@ -29,19 +29,21 @@ impl AxisDrive {
         let (cycle, stated) = (designed.axis.cycle_time(), &designed.axis.drive);
         let position_gain = stated.position_gain.unwrap_or(position_gain);
         let [_, in_drive] = designed.axis.control.placed(Some(position_gain));
-        let setup = match stated.is_given() {
-            true => Setup {
-                cycle,
-                delay: stated.delay_cycles.unwrap_or(Setup::DELAY.delay),
-                time_constant: stated.time_constant.unwrap_or(0.0),
-                position_gain: in_drive,
-            },
-            false => Setup { cycle, position_gain: in_drive, ..otherwise },
+        let otherwise = if stated.is_given() { Setup::DELAY } else { otherwise };
+        let setup = Setup {
+            cycle,
+            delay: stated.delay_cycles.unwrap_or(otherwise.delay),
+            time_constant: stated.time_constant.unwrap_or(otherwise.time_constant),
+            position_gain: in_drive,
         };
         let model = DriveModel {
             delay_cycles: Some(setup.delay),
             time_constant: (setup.time_constant > 0.0).then_some(setup.time_constant),
-            response: stated.response.clone(),
+            // Its loop was closed only if the set states the gain.
+            response: stated.response.as_ref().map(|measured| match in_drive {
+                Some(gain) => measured.in_position_loop(gain),
+                None => measured.clone(),
+            }),
             position_gain: Some(position_gain),
         };
         let filter = model.response.as_ref().map(|measured| ResponseFilter::new(&measured.response, cycle, in_drive));

@@ -3,7 +3,7 @@
 
 use machine::{Machine, Measured};
 use portable::Extreme;
-use stability::{Complex64, Response, magnitude};
+use stability::{Complex64, Response, magnitude, turned};
 use std::f64::consts::TAU;
 
 /// Length of an impulse response [s], and its maximum number of cycles: a longer decay is cut off, which the deviation
@@ -82,11 +82,6 @@ fn without_loop(response: &Response, gain: Option<f64>, hz: f64) -> Complex64 {
         Some(_) => Complex64::new(1.0, 0.0),
         None => response.value(hz),
     }
-}
-
-fn turned(angle: f64) -> Complex64 {
-    let (sin, cos) = libm::sincos(angle);
-    Complex64::new(cos, sin)
 }
 
 /// The first half of the inverse transform: the second one would be before the command.

@@ -18,10 +18,11 @@ pub use c::Harness;
 pub use compiler::Compiler;
 pub use reference::{Cycle, start};
 
-use crate::samples::Samples;
+use crate::samples::{Samples, Shape};
 use generator::blocks::{Block, Designed};
 use generator::generate::identity;
 use generator::target::{self, File, Target};
+use portable::Literal;
 use st::Dialect;
 use std::fmt;
 
@@ -127,6 +128,18 @@ pub fn run(engine: Engine, designed: &Designed, block: &Block, inputs: &Samples)
         Engine::Codesys => emitted::run(Dialect::Codesys, designed, block, inputs),
         Engine::Scl => emitted::run(Dialect::Scl, designed, block, inputs),
     }
+}
+
+/// The outputs of a block after each sample of its inputs.
+fn answers(block: &Block, inputs: &Samples, mut cycle: impl FnMut(&[Literal], &mut Vec<Literal>)) -> Samples {
+    let mut samples = Samples::with_capacity(Shape::of(&block.program.outputs, block.program.real), inputs.len());
+    let (mut values, mut outputs) = (Vec::new(), Vec::new());
+    for sample in 0..inputs.len() {
+        inputs.read(sample, &mut values);
+        cycle(&values, &mut outputs);
+        samples.push(&outputs);
+    }
+    samples
 }
 
 /// The target of that name.

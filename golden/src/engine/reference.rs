@@ -1,8 +1,8 @@
 //! The engine `reference`: the Rust source itself.
 
-use crate::samples::{Samples, Shape};
-use generator::blocks::Designed;
-use generator::blocks::{self, Block};
+use super::answers;
+use crate::samples::Samples;
+use generator::blocks::{self, Block, Designed};
 use portable::Literal;
 
 /// One cycle of a block: from its inputs to its outputs.
@@ -21,13 +21,5 @@ pub fn start(designed: &Designed, block: &Block) -> Cycle {
 
 /// Runs a block.
 pub fn run(designed: &Designed, block: &Block, inputs: &Samples) -> Samples {
-    let shape = Shape::of(&block.program.outputs, block.program.real);
-    let mut samples = Samples::with_capacity(shape, inputs.len());
-    let (mut cycle, mut values, mut outputs) = (start(designed, block), Vec::new(), Vec::new());
-    for sample in 0..inputs.len() {
-        inputs.read(sample, &mut values);
-        cycle(&values, &mut outputs);
-        samples.push(&outputs);
-    }
-    samples
+    answers(block, inputs, start(designed, block))
 }

@@ -32,8 +32,7 @@ pub(super) fn undo(case: &Case<'_>, change: &Change) -> Option<Undone> {
         Change::CycleTime(time) => {
             let is_possible = |f0: f64| f0 * f64::from(*time) / 1e9 <= 0.45;
             let axis = &case.designed.axis;
-            let filters = axis.ipc.stage.iter().flatten().flat_map(|stage| &stage.filter);
-            let is_possible = filters.filter_map(|filter| filter.f0()).all(is_possible);
+            let is_possible = axis.ipc.filter_f0s().all(is_possible);
             let axis = generator::axis::Axis { cycle_time_ns: *time, ..axis.clone() };
             is_possible.then(|| other_block(case, Designed::from(axis)))?
         }

@@ -1,6 +1,6 @@
 //! The loop of the demonstration plant: its response, and Ms.
 
-use crate::drive::margins::{is_on, margins};
+use crate::drive::margins::margins;
 use generator::analysis;
 use generator::axis::{DriveModel, MeasuredDrive, Mode};
 use generator::blocks::Designed;
@@ -48,7 +48,8 @@ impl OfPlant {
             let lines: Vec<Complex64> = lines.map(|[re, im]| Complex64::new(re, im)).collect();
             Response::new(&hz, &lines, &vec![0.0; hz.len()], cycle)
         };
-        let measured = MeasuredDrive { file: "the demonstration plant".to_owned(), response: Arc::new(response(&v)) };
+        let file = "the demonstration plant".to_owned();
+        let measured = MeasuredDrive { file, response: Arc::new(response(&v)), delay: 0.0 };
         let model =
             DriveModel { response: Some(measured), position_gain: Some(position_gain), ..DriveModel::default() };
         Self { model, change: response(&change), cycle }
@@ -59,7 +60,8 @@ impl OfPlant {
         if !margins(designed, &self.model).stable {
             return None;
         }
-        let of_stages = analysis::analyze(designed, &self.model).drives.into_iter().next().filter(|_| is_on(designed));
+        let of_stages = analysis::analyze(designed, &self.model).drives.into_iter().next();
+        let of_stages = of_stages.filter(|_| designed.axis.ipc.is_active());
         let nearest = match of_stages {
             Some(of) => of.curve.iter().map(|point| self.open(designed, point) + 1.0).collect(),
             None => frequencies(self.cycle).into_iter().map(|hz| self.position(hz) + 1.0).collect::<Vec<_>>(),

@@ -47,8 +47,8 @@ impl<M: Machine> Machine for Ripple<M> {
         self.cycles += 1.0;
         let time = self.cycles * self.cycle();
         self.v = self.frequencies.iter().map(|hz| AMPLITUDE * libm::sin(TAU * hz * time)).sum();
-        // The position includes the ripple's velocity: a position controller in the CNC sees the ripple too. With one in the drive,
-        // the ripple is what that one leaves.
+        // The position includes the ripple's velocity: a position controller in the CNC sees the ripple too. One in the
+        // drive does not: the ripple is what it leaves.
         if self.in_position {
             self.x += self.v * self.cycle();
         }

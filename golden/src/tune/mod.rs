@@ -53,8 +53,7 @@ pub struct Tuning {
     /// degrees instead of millimetres
     pub is_rotary: bool,
     /// Kv [1/s] of a position loop in the CNC, and in the drive; `None` if the set does not state it
-    pub position_gain: Option<f64>,
-    pub gain_in_drive: Option<f64>,
+    pub gains: [Option<f64>; 2],
     /// the vibrations, in the order of the stages
     pub chosen: Vec<Chosen>,
     pub proposals: Vec<Proposal>,
@@ -74,12 +73,10 @@ pub fn tune(
     stages: Stages,
 ) -> Tuning {
     let axis = &designed.axis;
-    let [position_gain, gain_in_drive] = axis.control.placed(axis.drive.position_gain);
     let mut tuning = Tuning {
         cycle_time: axis.cycle_time(),
         is_rotary: axis.control.is_rotary,
-        position_gain,
-        gain_in_drive,
+        gains: axis.control.placed(axis.drive.position_gain),
         chosen: Vec::new(),
         proposals: Vec::new(),
         verdicts: Vec::new(),

@@ -24,19 +24,20 @@ const BAND: [f64; 2] = [2.0, 250.0];
 pub fn with_stages(tuning: &Tuning, record: &Record, stages: &[Stage]) -> Option<Record> {
     let cycle = tuning.cycle_time;
     let response = tuning.lines.as_ref()?.up_to(USED * 0.5 / cycle).response(cycle)?;
-    let axis = Axis { cycle_time: cycle, position_gain: tuning.position_gain, response: &response };
+    let [position_gain, _] = tuning.gains;
+    let axis = Axis { cycle_time: cycle, position_gain, response: &response };
     let channels = record.channels();
     let signals: Vec<&[f64]> = channels.iter().map(|channel| channel.values.as_slice()).collect();
     let motor = channels.iter().position(|channel| channel.signal == "v_motor")?;
     let what_if = WhatIf::new(axis, &signals, None);
-    let of = controller(stages, cycle, tuning.position_gain);
+    let of = controller(stages, cycle, position_gain);
     let c = what_if.at_lines(|t| (of.stage)(t).iter().sum::<Complex64>());
     let left = what_if.left(&c);
     let added: Vec<Complex64> = left.iter().zip(&c).map(|(left, c)| left * c).collect();
     let (v_motor, v_add) = (what_if.whole(motor, &left, 1.0), what_if.whole(motor, &added, 0.0));
     // By how much the way of the motor lags, in the unit of its velocity times s.
     let lag = following_error(&vec![0.0; v_motor.len()], signals[motor], &v_motor, cycle);
-    let gain = tuning.position_gain.unwrap_or(0.0);
+    let gain = position_gain.unwrap_or(0.0);
     let size = |channel: &Channel| channel.unit.map(|unit| unit.size);
     let scale = |channel: &Channel| Some(size(&channels[motor])? / size(channel)?);
     let plus = |channel: &Channel, change: &dyn Fn(usize) -> f64| {

@@ -11,10 +11,10 @@ use std::fmt::Write;
 /// The report.
 #[must_use]
 pub fn report(tuning: &Tuning, axis: &str) -> String {
-    let kv = match (tuning.position_gain, tuning.gain_in_drive) {
-        (Some(kv), _) => format!("Kv {kv}/s"),
-        (None, Some(kv)) => format!("Kv {kv}/s in the drive"),
-        (None, None) => "Kv is not in the set: the position loop counts as open".to_owned(),
+    let kv = match tuning.gains {
+        [Some(kv), _] => format!("Kv {kv}/s"),
+        [None, Some(kv)] => format!("Kv {kv}/s in the drive"),
+        [None, None] => "Kv is not in the set: the position loop counts as open".to_owned(),
     };
     let mut text = format!("axis {axis}: cycle {} ms, {kv}\n", tuning.cycle_time * 1e3);
     tuning.chosen.iter().for_each(|chosen| text += &of_chosen(chosen));

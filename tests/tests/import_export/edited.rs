@@ -59,7 +59,7 @@ fn new_parameters_stand_at_the_end() {
 
 #[test]
 fn keys_of_our_own_come_back_from_their_comments() {
-    let list = list() + "# axgen: gear 99\n #axgen:\tfade 0.2s \n";
+    let list = list() + "# axgen: gear 99\n #axgen:\tfade 0.2s \n# axgen: drive.response \"a\" b\n";
     let set = round_trip(list.as_bytes());
     assert!(set.contains("\ngear = 99\nfade = \"0.2s\"\n"), "{set}");
     assert_eq!(exported_text(&set.replace("= \"0.2s\"", "= \"1s\"")), list.replace("fade 0.2s", "fade 1s"));

@@ -25,7 +25,7 @@ struct Plain {
     e: f64,
     /// Kv T
     position: f64,
-    /// position [s], velocity: each after a cycle, of both before it and of the command that arrives; if the drive controls the position
+    /// if the drive controls the position: position [s] and velocity after a cycle, each of both before it and of the command
     inside: Option<[[f64; 3]; 2]>,
 }
 

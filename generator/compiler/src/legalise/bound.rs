@@ -26,10 +26,10 @@ fn change(mut program: Program, compared: &[Intrinsic]) -> Program {
 
 fn without_sign(part: &mut Expr, constants: &[Constant], compared: &[Intrinsic]) {
     match part {
-        Expr::Intrinsic(intrinsic, operands) if compared.contains(intrinsic) && is_zero(&operands[1], constants) => {
+        Expr::Intrinsic(intrinsic, operands) if compared.contains(intrinsic) && operands[1].is_zero(constants) => {
             *part = Expr::binary(Binary::Equal, operands[0].clone(), operands[1].clone());
         }
-        Expr::Unary(Unary::Negate, operand) if is_zero(operand, constants) => {
+        Expr::Unary(Unary::Negate, operand) if operand.is_zero(constants) => {
             *part = Expr::Literal(match operand.known(constants) {
                 Some(Literal::F32(value)) => Literal::F32(-value),
                 Some(Literal::F64(value)) => Literal::F64(-value),
@@ -38,8 +38,4 @@ fn without_sign(part: &mut Expr, constants: &[Constant], compared: &[Intrinsic])
         }
         _ => {}
     }
-}
-
-fn is_zero(expr: &Expr, constants: &[Constant]) -> bool {
-    matches!(expr.known(constants), Some(Literal::F64(0.0) | Literal::F32(0.0)))
 }

@@ -62,7 +62,8 @@ fn type_of(expr: &Expr, program: &Program) -> Result<Type, Defect> {
             if is_division && !is_from_one(right) {
                 return Err(defect(format!("{operator:?} of {found:?} by no number from 1 on in {expr:?}")));
             }
-            if *operator == Binary::Equal && is_zero(right, program) {
+            // Reals may be compared with 0 for equality.
+            if *operator == Binary::Equal && right.is_zero(&program.constants) {
                 return Ok(Type::Bool);
             }
             binary_type(*operator, found).ok_or_else(|| defect(format!("{operator:?} of {found:?} in {expr:?}")))
@@ -93,11 +94,6 @@ fn is_from_one(divisor: &Expr) -> bool {
         Expr::Literal(Literal::U32(divisor)) => *divisor > 0,
         _ => false,
     }
-}
-
-/// Whether an operand is 0.0: reals may be compared with it for equality.
-fn is_zero(operand: &Expr, program: &Program) -> bool {
-    matches!(operand.known(&program.constants), Some(Literal::F64(0.0) | Literal::F32(0.0)))
 }
 
 fn binary_type(operator: Binary, operand: Type) -> Option<Type> {

@@ -40,6 +40,11 @@ impl Expr {
         }
     }
 
+    /// Whether its value is the real number 0.
+    pub(crate) fn is_zero(&self, constants: &[Constant]) -> bool {
+        matches!(self.known(constants), Some(Literal::F64(0.0) | Literal::F32(0.0)))
+    }
+
     /// Whether it is a comparison of a magnitude with 0: whether a number is 0.
     pub fn is_about_zero(&self) -> bool {
         let Self::Intrinsic(Intrinsic::InRange | Intrinsic::Within, operands) = self else { return false };

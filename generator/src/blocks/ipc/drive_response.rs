@@ -35,11 +35,9 @@ pub(crate) fn read(
     let measured = read.map_err(|report| e.report.extend(report)).ok()?;
     e.report.extend(measured.said);
     let (From::Command { delay } | From::Current { delay, .. }) = from;
-    let response = match designed.axis.control.placed(designed.axis.drive.position_gain) {
-        [_, Some(gain)] => measured.response.in_position_loop(gain, delay),
-        [_, None] => measured.response,
-    };
-    Some(MeasuredDrive { file: name.to_owned(), response: Arc::new(response) })
+    let drive = MeasuredDrive { file: name.to_owned(), response: Arc::new(measured.response), delay };
+    let [_, gain_in_drive] = designed.axis.control.placed(designed.axis.drive.position_gain);
+    Some(gain_in_drive.map_or_else(|| drive.clone(), |gain| drive.in_position_loop(gain)))
 }
 
 /// An error: a default for the input of the response would be a guess.

@@ -7,11 +7,12 @@ use crate::target::outline::{Member, Outline};
 use crate::target::values::{Values, of_signals};
 use crate::target::{BlockIdentity, File, TargetBlock, rendered};
 use askama::Template;
+use compiler::arithmetic;
 use compiler::print::Printer;
 use compiler::print::c::LANGUAGE;
 use compiler::program::{Program, Type, Variable};
 use compiler::ranges::Value;
-use portable::{Extreme, Literal, RealKind};
+use portable::{Extreme, RealKind};
 use std::collections::{BTreeMap, BTreeSet};
 
 #[derive(Template)]
@@ -184,14 +185,7 @@ fn accepted(outline: &Outline<'_>, variable: &Variable) -> Option<[f64; 2]> {
     if program.is_fraction(variable) {
         return Some([0.0, 1.0]);
     }
-    let constant = |path: &str| {
-        let constant = program.constants.iter().find(|of| of.path == path)?;
-        match constant.value {
-            Literal::F64(value) => Some(value),
-            Literal::F32(value) => Some(f64::from(value)),
-            _ => None,
-        }
-    };
+    let constant = |path: &str| arithmetic::wide(program.constants.iter().find(|of| of.path == path)?.value);
     if program.made.is_none() {
         return constant("sample_limit").map(|limit| [-limit, limit]);
     }
