@@ -488,7 +488,8 @@ codes! {
          missing and therefore 1: 700 is meant as 700/100.";
     SLOW = "AX438", "a largest velocity that looks like another unit",
         "P-AXIS-00212 is in um/s, of a rotary axis in 0.001 deg/s. Below 5000, which is 5 mm/s or 5 deg/s, a value was mostly \
-         written in mm/s, m/min, deg/s or revolutions/min. The limit of improved position control is a part of it.";
+         written in mm/s, m/min, deg/s or revolutions/min. Above 10000000, which is 10 m/s, that of a linear axis was mostly \
+         written in um/min or nm/s. The limit of improved position control is a part of it.";
     STARTS_ON = "AX439", "a block that starts ON with the whole velocity as its limit",
         "The block acts as soon as it is called, and its limit lets it add the largest velocity of the axis: a stage that \
          excites the vibration drives the axis at full speed. Start with DRYRUN, look at v_add_calculated, then write ON with a \
