@@ -821,6 +821,9 @@ codes! {
          cycles and with the same delay and a time constant of 3 ms. Most drives are one of these or slower. Write the smaller \
          weight, or state the drive as measured: drive.delay, drive.time_constant, drive.response. The block may start ON: a \
          drive that is faster than both is possible.";
+    SHORTER_DELAY = "AX532", "a stated delay below that of the controller",
+        "drive.delay replaces P-AXIS-00191 in the tests of the loops. If the motor really answers after as many cycles as \
+         P-AXIS-00191 says, a smaller drive.delay hides an unstable loop. Write the same number or more, or correct P-AXIS-00191.";
     ACCELERATES_BEYOND = "AX535", "a changeover that ends near half a revolution in a cycle",
         "Above P-AXIS-00767 the drive gets the command to change to velocity control, and stays in position control until it has \
          done so. The spindle accelerates meanwhile. If it reaches 180 deg in a cycle before the drive displays velocity \
