@@ -824,6 +824,10 @@ codes! {
     SHORTER_DELAY = "AX532", "a stated delay below that of the controller",
         "drive.delay replaces P-AXIS-00191 in the tests of the loops. If the motor really answers after as many cycles as \
          P-AXIS-00191 says, a smaller drive.delay hides an unstable loop. Write the same number or more, or correct P-AXIS-00191.";
+    UNUSED_OF_DRIVE = "AX533", "a property of the drive without effect",
+        "A measured response contains the time constant, and replaces it; drive.delay counts with it, as the delay that the \
+         measurement lacks. response_from, speed_gain and speed_integral_time describe a response: without one they do nothing, \
+         and the last two belong to a response from the current. A key causes a warning, an option of the command line an error.";
     ACCELERATES_BEYOND = "AX535", "a changeover that ends near half a revolution in a cycle",
         "Above P-AXIS-00767 the drive gets the command to change to velocity control, and stays in position control until it has \
          done so. The spindle accelerates meanwhile. If it reaches 180 deg in a cycle before the drive displays velocity \
