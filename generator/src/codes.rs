@@ -336,7 +336,7 @@ codes! {
          has another unit than the plant, or the lines do not reach far enough.";
     UNSTABLE = "AX345", "a block that starts ON and is unstable",
         "With these weights the loop oscillates, though its drive is ideal: the motor does exactly what was commanded one cycle \
-         before (or is the drive that the set states). A stage turns its phase from +90 n to -90 n degrees across its band of \
+         before (or is the stated drive). A stage turns its phase from +90 n to -90 n degrees across its band of \
          order n; with a large weight the loop is lost where the gain is still 1 and the phase has turned by 180. Write the \
          smaller weight, a higher damping ratio or q_factor, a lower order. Where the position loop oscillates \
          without any stage, the message names Kv (P-AXIS-00099) instead. SET_POINT acts inside the position loop where the \
@@ -488,7 +488,8 @@ codes! {
          missing and therefore 1: 700 is meant as 700/100.";
     SLOW = "AX438", "a largest velocity that looks like another unit",
         "P-AXIS-00212 is in um/s, of a rotary axis in 0.001 deg/s. Below 5000, which is 5 mm/s or 5 deg/s, a value was mostly \
-         written in mm/s, m/min, deg/s or revolutions/min. The limit of improved position control is a part of it.";
+         written in mm/s, m/min, deg/s or revolutions/min. Above 10000000, which is 10 m/s, that of a linear axis was mostly \
+         written in um/min or nm/s. The limit of improved position control is a part of it.";
     STARTS_ON = "AX439", "a block that starts ON with the whole velocity as its limit",
         "The block acts as soon as it is called, and its limit lets it add the largest velocity of the axis: a stage that \
          excites the vibration drives the axis at full speed. Start with DRYRUN, look at v_add_calculated, then write ON with a \
@@ -816,6 +817,18 @@ codes! {
         "Some times run backwards, as those of a counter that wraps, or have different samples, as times with too few digits. Or a \
          scope without columns of times filled the rows of its slower channels with their previous value. Each frequency would be \
          wrong by a factor. Export the times with all digits; rows that repeat a sample together with its time are skipped.";
+    UNSTABLE_USUALLY = "AX531", "weights with which usual drives oscillate",
+        "Nothing says which drive the axis has. The loop is stable with an ideal drive, and oscillates both with a delay of 1.5 \
+         cycles and with the same delay and a time constant of 3 ms. Most drives are one of these or slower. Write the smaller \
+         weight, or state the drive as measured: drive.delay, drive.time_constant, drive.response. The block may start ON: a \
+         drive that is faster than both is possible.";
+    SHORTER_DELAY = "AX532", "a stated delay below that of the controller",
+        "drive.delay replaces P-AXIS-00191 in the tests of the loops. If the motor really answers after as many cycles as \
+         P-AXIS-00191 says, a smaller drive.delay hides an unstable loop. Write the same number or more, or correct P-AXIS-00191.";
+    UNUSED_OF_DRIVE = "AX533", "a property of the drive without effect",
+        "A measured response contains the time constant, and replaces it; drive.delay counts with it, as the delay that the \
+         measurement lacks. response_from, speed_gain and speed_integral_time describe a response: without one they do nothing, \
+         and the last two belong to a response from the current. A key causes a warning, an option of the command line an error.";
     ACCELERATES_BEYOND = "AX535", "a changeover that ends near half a revolution in a cycle",
         "Above P-AXIS-00767 the drive gets the command to change to velocity control, and stays in position control until it has \
          done so. The spindle accelerates meanwhile. If it reaches 180 deg in a cycle before the drive displays velocity \

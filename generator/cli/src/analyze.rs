@@ -16,8 +16,8 @@ use generator::parameters::Name;
 use std::path::Path;
 
 impl DriveArguments {
-    /// Its options as keys.
-    pub fn keys(&self) -> Vec<OptionKey> {
+    /// Its options as keys of an axis, or of every axis.
+    pub fn keys(&self, axis: Option<&str>) -> Vec<OptionKey> {
         let options = [
             ("--delay", Name::DriveDelay, &self.delay),
             ("--time-constant", Name::DriveTimeConstant, &self.time_constant),
@@ -28,14 +28,17 @@ impl DriveArguments {
         ];
         let given = options.into_iter().filter_map(|(option, name, text)| Some((option, name, text.clone()?)));
         given
-            .map(|(option, name, text)| OptionKey { axis: None, option: option.to_owned(), name, index: [0, 0], text })
+            .map(|(option, name, text)| {
+                let axis = axis.map(str::to_owned);
+                OptionKey { axis, option: option.to_owned(), name, index: [0, 0], text }
+            })
             .collect()
     }
 }
 
 /// Runs the command.
 pub fn run(of: &AnalyzeArguments, format: Format) -> Result<Exit, Exit> {
-    let (set, _) = input::read_to_look_at(&of.set, of.drive.keys(), format)?;
+    let (set, _) = input::read_to_look_at(&of.set, of.drive.keys(of.axis.as_deref()), format)?;
     let axis = of.axis.as_deref();
     if let Some(path) = &of.picture {
         one_file::kept_apart(path.as_path(), [of.set.set.as_path()])?;

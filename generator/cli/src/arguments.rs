@@ -296,7 +296,8 @@ pub struct DriveArguments {
     /// Time constant after that: 3ms
     #[arg(long, value_name = "TIME")]
     pub time_constant: Option<String>,
-    /// CSV file with a measured frequency response to the velocity of the motor, in the place of both
+    /// CSV file with a measured frequency response to the velocity of the motor, in the place of the time constant; --delay is
+    /// then the delay that the measurement lacks [default: 0]
     #[arg(long, value_name = "FILE")]
     pub response: Option<String>,
     /// What the response is from: v_cmd or current [default: v_cmd]

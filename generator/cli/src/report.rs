@@ -21,7 +21,7 @@ pub fn run(of: &ReportArguments, format: Format) -> Result<Exit, Exit> {
     let (out, rule) = (of.out.as_deref(), Rule::earlier_output(of.force, &is_report));
     let inputs = [Some(path), of.recording.as_deref(), of.excited.as_deref()];
     one_file::kept_apart(out, inputs.into_iter().flatten())?;
-    let options = of.set.list.options(of.drive.keys());
+    let options = of.set.list.options(of.drive.keys(None));
     let (set, messages) = pipeline::read_to_look_at(path, &options, &config::load);
     let set = input::said(set, &messages, format)?;
     for name in &of.axes {

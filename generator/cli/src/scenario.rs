@@ -17,7 +17,7 @@ use std::path::Path;
 
 /// Runs the command.
 pub fn run(of: &ScenarioArguments, format: Format) -> Result<Exit, Exit> {
-    let (set, _) = input::read_to_look_at(&of.subject.set, of.drive.keys(), format)?;
+    let (set, _) = input::read_to_look_at(&of.subject.set, of.drive.keys(of.subject.axis.as_deref()), format)?;
     let designed = commands::axis(&set, of.subject.axis.as_deref())?;
     let block = scenario::block(designed, of.block.as_deref())?;
     let outputs = [of.stimulus.as_deref(), of.picture.as_deref()];

@@ -39,7 +39,7 @@ pub fn noise(text: &str) -> Result<f64, String> {
 
 /// Runs the command.
 pub fn run<'a>(to: &'a SimulateArguments, format: Format) -> Result<Exit, Exit> {
-    let (set, _) = input::read_to_look_at(&to.subject.set, to.drive.keys(), format)?;
+    let (set, _) = input::read_to_look_at(&to.subject.set, to.drive.keys(to.subject.axis.as_deref()), format)?;
     let designed = commands::axis(&set, to.subject.axis.as_deref())?;
     let has_stages = blocks::names(&designed.axis).contains(&"ipc");
     if !has_stages && to.moves.is_none() && to.excited.is_none()

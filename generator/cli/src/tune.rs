@@ -27,7 +27,7 @@ pub fn run(of: &TuneArguments, format: Format) -> Result<Exit, Exit> {
     one_file::allowed(outs, inputs.into_iter().flatten())?;
     let is_set = of.stage == ["set"];
     let given = if is_set { Vec::new() } else { config::stage_keys(&of.stage).map_err(Exit::Input)? };
-    let set = input::read_to_tune(arguments, [drive.keys(), given].concat(), format)?;
+    let set = input::read_to_tune(arguments, [drive.keys(of.subject.axis.as_deref()), given].concat(), format)?;
     let designed = commands::axis(&set, of.subject.axis.as_deref())?;
     let cycle_time = Some(designed.axis.cycle_time());
     let reading = Reading { map: &of.map, cycle_time, excitation: of.excitation };

@@ -10,7 +10,7 @@ pub struct DriveModel {
     pub delay_cycles: Option<f64>,
     /// time constant after that [s] (`drive.time_constant`)
     pub time_constant: Option<f64>,
-    /// a measured response, instead of both (`drive.response`)
+    /// a measured response, which contains both (`drive.response`)
     pub response: Option<MeasuredDrive>,
     /// gain of the position controller Kv [1/s] (P-AXIS-00099), if given
     pub position_gain: Option<f64>,

@@ -106,6 +106,10 @@ fn checked<'v>(name: &str, cycle_time: Option<u32>, mut effective: Effective<'v>
     let excitation = excitation::check(&mut effective, cycle_time);
     let gear = control.as_ref().map_or(0, |(_, gear)| *gear);
     let has_drive = is_tuned || ipc.as_ref().is_some_and(Ipc::is_active);
+    let has_loop = control.as_ref().is_some_and(|(control, _)| control.position_control.is_some());
+    if has_drive || has_loop {
+        drive::shorter_delay(&mut effective);
+    }
     let drive = if has_drive { drive_model::check(&mut effective) } else { Some(DriveModel::default()) };
     let axis = match (real, short_names.zip(counts_calls), cycle_time, ipc.zip(drive), control.zip(excitation)) {
         (

@@ -94,6 +94,22 @@ pub(crate) fn stated_delay(e: &Effective<'_>) -> Option<(f64, &'static str)> {
     stated.filter(|(cycles, _)| (1.0..=1000.0).contains(cycles))
 }
 
+/// Warns of a key `drive.delay` below P-AXIS-00191, which it replaces. With a measured response it is only the part that the
+/// measurement lacks; an option of the command line is a trial.
+pub(crate) fn shorter_delay(e: &mut Effective<'_>) {
+    let [delay, cycles] = [Name::DriveDelay, Name::NbrDelayCycles];
+    let (Some(stated), Some(least)) = (given_number(e, delay), given_number(e, cycles)) else { return };
+    let is_key = e.given(key(delay)).is_some_and(|setting| !setting.source.is_option());
+    if !is_key || stated >= least || e.given(key(Name::DriveResponse)).is_some() {
+        return;
+    }
+    let title = e.title(key(cycles));
+    let found =
+        format!("{} is {stated}, and {title} is {least}: the loops are tested with {stated}", e.title(key(delay)));
+    let instead = format!("drive.delay = {least}, or more; or {title} with the number of cycles that was measured");
+    e.warn(codes::SHORTER_DELAY, key(delay), found, Some(instead));
+}
+
 /// A number or a time [ns] that is given, in range or not.
 pub(crate) fn given_number(e: &Effective<'_>, name: Name) -> Option<f64> {
     match *e.given(key(name))?.value.as_ref()? {

@@ -172,13 +172,13 @@ pub fn act<R: Real>(
 pub fn put_out_changeover<R: Real>(spindle_outputs: &spindle::Outputs<R>, outputs: &mut Outputs<R>) {
     copy!(outputs = spindle_outputs:
         x_spindle, v_spindle, job_speed, job_position, spindle_state, job, job_number, waiting, operation_mode,
-        velocity_command, loop_closed);
+        loop_closed);
 }
 
-/// Takes the additive velocity of the feedforward out of the velocity command: in the cycles of a change the drive may be in
-/// either mode, and in velocity control it adds both.
+/// Writes the velocity command of the drive, without the additive velocity of the feedforward: in the cycles of a change the drive
+/// may be in either mode, and in velocity control it adds both.
 #[portable]
-pub fn share<R: Real>(
+pub fn put_out_velocity<R: Real>(
     coeffs: &Coeffs<R>,
     spindle_outputs: &spindle::Outputs<R>,
     outputs: &mut Outputs<R>,
@@ -186,9 +186,11 @@ pub fn share<R: Real>(
 ) {
     if coeffs.spindle.in_drive && coeffs.spindle.has_feedforward {
         let mut datum = process_data::Datum::default();
-        let shared_increments = coeffs.spindle.velocity_scale * (spindle_outputs.v_spindle - v_additive);
-        process_data::round(&mut datum, &coeffs.spindle.velocity_range, shared_increments);
+        let command_increments = coeffs.spindle.velocity_scale * (spindle_outputs.v_spindle - v_additive);
+        process_data::round(&mut datum, &coeffs.spindle.velocity_range, command_increments);
         outputs.velocity_command = datum.value;
+    } else {
+        outputs.velocity_command = spindle_outputs.velocity_command;
     }
 }
 
@@ -309,13 +311,13 @@ pub fn any_cycle<R: Real>(
     if is_position && state.spindle.missing == 0u32 {
         close(state, coeffs, inputs, &spindle_outputs, outputs, missed, v_missed);
         put_out_changeover(&spindle_outputs, outputs);
-        share(coeffs, &spindle_outputs, outputs, state.held.v_additive);
+        put_out_velocity(coeffs, &spindle_outputs, outputs, state.held.v_additive);
     } else {
         let mut command = Command::<R>::default();
         held::command_of_open(state, coeffs, &spindle_outputs, &mut command, is_position);
         open(state, coeffs, &spindle_outputs, outputs, &command);
         put_out_changeover(&spindle_outputs, outputs);
-        share(coeffs, &spindle_outputs, outputs, command.v_additive);
+        put_out_velocity(coeffs, &spindle_outputs, outputs, command.v_additive);
     }
 }
 
@@ -334,7 +336,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         spindle::remain_in_position(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);
         close(state, coeffs, inputs, &spindle_outputs, outputs, 0u32, R::ZERO);
         put_out_changeover(&spindle_outputs, outputs);
-        share(coeffs, &spindle_outputs, outputs, state.held.v_additive);
+        put_out_velocity(coeffs, &spindle_outputs, outputs, state.held.v_additive);
     } else if spindle::stays_in_velocity(&state.spindle, &coeffs.spindle, &spindle_inputs) {
         let mut spindle_outputs = spindle::Outputs::<R>::default();
         spindle::remain_in_velocity(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);
@@ -342,6 +344,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         command.v_command = spindle_outputs.v_spindle;
         open(state, coeffs, &spindle_outputs, outputs, &command);
         put_out_changeover(&spindle_outputs, outputs);
+        outputs.velocity_command = spindle_outputs.velocity_command;
     } else {
         note("any other cycle: requests, changes of the state, missing samples, errors");
         any_cycle(state, coeffs, inputs, &spindle_inputs, outputs);

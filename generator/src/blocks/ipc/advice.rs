@@ -25,6 +25,8 @@ const MUCH_GAIN: f64 = 2.0 * Stage::MAX_WEIGHT;
 const SLOW: f64 = 5000.0;
 /// 10 rpm: every spindle is faster, and most are faster than 10000 thousandths of a degree per second.
 const SLOW_SPINDLE: f64 = 60_000.0;
+/// 10 m/s: few linear axes are faster; a value above it is probably in um/min or nm/s.
+const FAST: f64 = 1e7;
 
 /// Warns of what a user should know before the block acts.
 pub(crate) fn advise(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
@@ -104,7 +106,17 @@ fn unit_of_vb_max(axis: &Axis, e: &mut Effective<'_>) {
     let key = (Name::VbMax, [e.validated_integer(key(Name::Gear)).unwrap_or(0), 0]);
     let v_max = axis.ipc.v_max;
     let slow = if axis.control.is_spindle { SLOW_SPINDLE } else { SLOW };
-    if v_max >= slow || e.given(key).is_none() {
+    if e.given(key).is_none() {
+        return;
+    }
+    if v_max > FAST && !axis.control.is_rotary {
+        let found = format!("{} is {v_max}, which is {} m/s", e.title(key), rounded(v_max / 1e6));
+        let [of_minute, of_nm] = [60.0, 1e3].map(|factor| libm::round(v_max / factor));
+        let instead =
+            format!("{of_minute}, if {v_max} um/min is meant, or {of_nm}, if {v_max} nm/s is meant: the unit is um/s");
+        return e.warn(codes::SLOW, key, found, Some(instead));
+    }
+    if v_max >= slow {
         return;
     }
     let (unit, per_second, per_minute, factor) = match axis.control.is_rotary {

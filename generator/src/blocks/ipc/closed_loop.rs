@@ -28,7 +28,7 @@ impl Known {
     /// The ideal drive: the motor does exactly what was commanded one cycle before.
     pub(crate) const IDEAL: Self = Self::Delay { cycles: 1.0, time_constant: None };
 
-    /// The drive that the set states, if any.
+    /// The stated drive, if any. A measured response contains the time constant, and `drive.delay` too once it was read.
     pub(crate) fn stated(model: &DriveModel) -> Option<Self> {
         match &model.response {
             Some(measured) => Some(Self::Measured(measured.clone())),
@@ -40,7 +40,7 @@ impl Known {
         }
     }
 
-    /// The drives for the analysis of a loop: the one that the set states, else two usual ones.
+    /// The drives for the analysis of a loop: the stated one, else two usual ones.
     pub(crate) fn of(model: &DriveModel) -> Vec<Self> {
         let usual = || {
             [None, Some(USUAL_TIME_CONSTANT)].map(|time_constant| Self::Delay { cycles: USUAL_DELAY, time_constant })

@@ -22,6 +22,7 @@ pub(crate) fn read(
     (set, load): (&Path, Load<'_>),
     e: &mut Effective<'_>,
 ) -> Option<MeasuredDrive> {
+    unused(e);
     let (name, setting) = values.text(Name::DriveResponse)?;
     let from = from(designed, e)?;
     let folder = if setting.source.is_option() { Path::new("") } else { set.parent().unwrap_or(Path::new("")) };
@@ -38,6 +39,39 @@ pub(crate) fn read(
     let drive = MeasuredDrive { file: name.to_owned(), response: Arc::new(measured.response), delay };
     let [_, gain_in_drive] = designed.axis.control.placed(designed.axis.drive.position_gain);
     Some(gain_in_drive.map_or_else(|| drive.clone(), |gain| drive.in_position_loop(gain)))
+}
+
+/// Reports what is stated of the drive and not used: a warning for a key, an error for an option of the command line. A
+/// response stands in the place of the time constant, and only one from the current has a speed controller.
+fn unused(e: &mut Effective<'_>) {
+    let has_response = e.given(key(Name::DriveResponse)).is_some();
+    let from = e.validated_word(key(Name::DriveResponseFrom));
+    let speed = [Name::DriveSpeedGain, Name::DriveSpeedIntegralTime];
+    let (names, why): (&[Name], _) = match (has_response, from) {
+        (false, _) => (&[Name::DriveResponseFrom, speed[0], speed[1]], "without a response (drive.response)"),
+        (true, Some(ResponseFrom::Current)) => {
+            (&[Name::DriveTimeConstant], "with a measured response, which contains it")
+        }
+        (true, Some(ResponseFrom::Velocity) | None) => (
+            &[Name::DriveTimeConstant, speed[0], speed[1]],
+            "with a measured response from the commanded velocity, which contains it",
+        ),
+    };
+    for name in names {
+        let Some(setting) = e.given(key(*name)) else { continue };
+        let (is_option, title) = (setting.source.is_option(), e.title(key(*name)));
+        let found = format!("{title} has no effect {why}");
+        let instead = match (has_response, is_option) {
+            (true, false) => format!("no {}", name.parameter().path),
+            (true, true) => "no such option, or --axis with an axis without a response".to_owned(),
+            (false, false) => format!("drive.response with the measured response, or no {}", name.parameter().path),
+            (false, true) => "--response with the measured response".to_owned(),
+        };
+        match is_option {
+            true => e.refuse(codes::UNUSED_OF_DRIVE, key(*name), found, [None, Some(instead)]),
+            false => e.warn(codes::UNUSED_OF_DRIVE, key(*name), found, Some(instead)),
+        }
+    }
 }
 
 /// An error: a default for the input of the response would be a guess.

@@ -19,6 +19,7 @@ mod set_point;
 pub(crate) mod sets;
 pub(crate) mod stage;
 mod unstable;
+mod usual;
 mod with_sets;
 
 use super::products::VERIFIED;

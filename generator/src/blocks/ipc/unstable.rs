@@ -2,6 +2,7 @@
 
 use super::closed_loop::{Known, acts_through_position, points, position_words, stages};
 use super::stage::StageDesign;
+use super::usual;
 use crate::axis::{Enable, Mode};
 use crate::blocks::designed::Designed;
 use crate::codes;
@@ -13,7 +14,7 @@ use crate::rules::effective::{Effective, as_written};
 use stability::{Loop, MAX_MS, STAGES};
 use std::slice::from_ref;
 
-/// Analyses the loop with the ideal drive, and with the one that the set states.
+/// Analyses the loop with the ideal drive, and with the stated one.
 ///
 /// The ideal drive does exactly what was commanded one cycle before; no machine can be faster. A loop that is unstable with
 /// it needs a drive whose lag was measured. Such a set starts ON only if it states the drive that makes its loop stable
@@ -26,12 +27,16 @@ pub(super) fn advise(designed: &Designed, gear: u32, e: &mut Effective<'_>) -> b
         return false;
     }
     let drives = drives(designed);
-    let Some(points) = points(designed, &drives, axis.drive.position_gain) else { return false };
+    let usual = usual::drives(designed);
+    let all = [drives.as_slice(), &usual].concat();
+    let Some(points) = points(designed, &all, axis.drive.position_gain) else { return false };
     let is_error = axis.ipc.enable == Enable::On && axis.ipc.limit() > 0.0 && !is_accepted(e);
     // The stated drive comes first, the ideal one last.
     let mut judged = drives.iter().map(|drive| Loop::new(&points, drive.drive())).enumerate();
-    let Some((n, closed)) = judged.find(|(_, closed)| !closed.is_stable()) else { return false };
-    let what = name(&drives, n);
+    let Some((n, closed)) = judged.find(|(_, closed)| !closed.is_stable()) else {
+        return usual::advise(designed, &points, &usual, e);
+    };
+    let what = &name(&drives, n);
     // A stated drive with which the loop is stable replaces the consent.
     let is_error = is_error && n == 0;
     match axis.drive.position_gain.filter(|_| !closed.with([0.0; STAGES]).is_stable()) {
@@ -43,14 +48,14 @@ pub(super) fn advise(designed: &Designed, gear: u32, e: &mut Effective<'_>) -> b
     }
 }
 
-/// The drives with which a loop is judged: the one that the set states, and the ideal one last.
+/// The drives with which a loop is judged: the stated one, and the ideal one last.
 pub(super) fn drives(designed: &Designed) -> Vec<Known> {
     Known::stated(&designed.axis.drive).into_iter().chain([Known::IDEAL]).collect()
 }
 
 /// One of them in words.
-pub(super) fn name(drives: &[Known], n: usize) -> &'static str {
-    if n + 1 == drives.len() { IDEAL } else { STATED }
+pub(super) fn name(drives: &[Known], n: usize) -> String {
+    if n + 1 == drives.len() { IDEAL.to_owned() } else { format!("the stated drive ({})", drives[n].words()) }
 }
 
 /// Reports a position loop that is unstable without any stage: the largest of the halved gains with which it is well damped.
@@ -84,7 +89,6 @@ fn without_stages(
 /// Smaller gains are not tried: 2^-40 of the largest one is below a unit of P-AXIS-00099.
 const HALVINGS: usize = 40;
 const IDEAL: &str = "a drive that does exactly what was commanded one cycle before";
-const STATED: &str = "the drive that the set states";
 
 /// Whether the set consents to a loop that is unstable (`accept_unstable`).
 fn is_accepted(e: &mut Effective<'_>) -> bool {
@@ -179,8 +183,8 @@ fn report(e: &mut Effective<'_>, place: Key, found: String, instead: String, is_
     }
     let enable = key(Name::Enable);
     let dry_run = as_written(&e.place_of(enable), enable, &[Enable::DryRun.name()]);
-    let allowed = "a block that starts ON, if its loop is stable with the drive that the set states (drive.delay, \
-                   drive.time_constant, drive.response), or else with the ideal one";
+    let allowed = "a block that starts ON, if its loop is stable with the stated drive (drive.delay, drive.time_constant, \
+                   drive.response, P-AXIS-00191), or else with the ideal one";
     let instead = format!("{instead}; or {dry_run} until the drive is measured");
     e.refuse(codes::UNSTABLE, place, found, [Some(allowed.to_owned()), Some(instead)]);
 }

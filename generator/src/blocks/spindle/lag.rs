@@ -95,11 +95,12 @@ pub(super) fn seen(e: &mut Effective<'_>, of: &Velocities, cycle_ns: u32) {
 
 /// Checks the lag with which a drive takes up position control: the position command is an angle, which the drive takes the
 /// shortest way. `part` of the velocity is not fed forward. A spindle that the block finds turning is taken up at up to Voff +
-/// its window, which is at least `least`; a window beyond Von is refused elsewhere.
+/// its window, which is at least `least`; a window beyond Von is refused elsewhere, and so is a Von below Voff, with which the
+/// lag is that at Voff.
 pub(super) fn in_drive(e: &mut Effective<'_>, of: &Velocities, least: f64, gain: Gain, part: f64) {
     let window = limits::window(of.off.value, least);
     let [on, off] = [of.on, of.off].map(|of| f64::from(of.value));
-    let fastest = (off + window).smaller(on);
+    let fastest = (off + window).smaller(on).larger(off);
     let (code, velocity) = match () {
         () if gain.lag(off, part) >= LARGEST => (codes::LOOP_LAG, off),
         () if gain.lag(fastest, part) >= LARGEST => (codes::LAG_TAKEN_UP, fastest),
