@@ -15,7 +15,7 @@ use std::path::Path;
 
 /// The scope of a run: with `--axis` and `--target` it judges only files of these.
 pub struct Scope<'s> {
-    /// the axes of the set
+    /// the axes of the set, or of the project from which `--name` selects one
     known: BTreeSet<&'s str>,
     /// empty for all
     axes: &'s [String],
@@ -24,8 +24,9 @@ pub struct Scope<'s> {
 }
 
 impl<'s> Scope<'s> {
-    pub fn new(set: &'s Set, axes: &'s [String], targets: &'s [String]) -> Self {
-        Self { known: set.axes.iter().map(|of| of.axis.name.as_str()).collect(), axes, targets }
+    pub fn new(set: &'s Set, axes: &'s [String], targets: &'s [String], others: &'s [String]) -> Self {
+        let own = set.axes.iter().map(|of| of.axis.name.as_str());
+        Self { known: own.chain(others.iter().map(String::as_str)).collect(), axes, targets }
     }
 
     /// Whether the run covers the whole set.

@@ -18,9 +18,31 @@ pub(crate) fn nearest<'c>(name: &str, candidates: impl Iterator<Item = &'c str>)
 
 /// The path that a path was probably meant to be: it differs in a few letters, or has the same end; for a table usually a
 /// structure.
-pub(crate) fn path(path: &str, is_table: bool) -> Option<String> {
+pub(crate) fn path(written: &str, is_table: bool) -> Option<String> {
+    let path = &indexed(written);
     let [first, second] = if is_table { [&STRUCTURES, &TEMPLATES] } else { [&TEMPLATES, &STRUCTURES] };
     among(path, first).or_else(|| among(path, second))
+}
+
+/// A path with each index in brackets: `stage1.x`, `stage_1.x`, `stage.1.x` and `stage(1).x` are `stage[1].x`.
+fn indexed(written: &str) -> String {
+    let mut path = String::new();
+    for part in written.split('.') {
+        let name = part.trim_end_matches(|of: char| of.is_ascii_digit() || of == ')');
+        let digits = part[name.len()..].trim_end_matches(')');
+        let name = name.trim_end_matches(['_', '(']);
+        if !digits.is_empty() && name.is_empty() && path.ends_with(|of: char| of.is_ascii_alphabetic() || of == '_') {
+            path.extend(["[", digits, "]"]);
+            continue;
+        }
+        path.extend((!path.is_empty()).then_some("."));
+        if !digits.is_empty() && path::is_array(name) {
+            path.extend([name, "[", digits, "]"]);
+        } else {
+            path += part;
+        }
+    }
+    path
 }
 
 /// The path of the parameter with an id: `P-AXIS-00758`.
@@ -31,6 +53,7 @@ pub(crate) fn of_id(written: &str) -> Option<String> {
 
 /// A template with the indices that a path has at the same parts.
 pub(crate) fn with_indices_of(template: &str, written: &str) -> String {
+    let written = indexed(written);
     let parts = template.split('.').zip(written.split('.'));
     let numbers = parts.filter(|(part, _)| part.contains('[')).map(|(_, written)| indices(written)[0]);
     let mut numbers = numbers.chain([0, 0]);

@@ -155,6 +155,14 @@ pub(crate) fn list_of(keys: &Values, axis: &str, set: &Path, load: Load<'_>) -> 
     Some(source.and_then(|source| project::of_axis(project::lists(&source)?, Some(axis))))
 }
 
+/// The names of the axes of a project with several axis lists; of any other file none.
+#[must_use]
+pub fn axes_of_project(path: &Path, load: Load<'_>) -> Vec<String> {
+    let lists = file::read(path, None, load).and_then(|source| project::lists(&source)).unwrap_or_default();
+    let is_project = lists.len() > 1;
+    lists.into_iter().filter(|_| is_project).filter_map(|list| list.name).collect()
+}
+
 /// A list, or the lists of a project, from which `--name` selects one.
 fn of_lists(path: &Path, source: &Arc<Source>, options: &ListOptions) -> Result<Given, Report> {
     let mut report = Report::default();

@@ -44,7 +44,7 @@ pub(crate) mod values;
 
 pub(crate) use encoding::{Encoding, latin_1};
 pub use file::{LARGEST, LARGEST_SAMPLES, Load, Unreadable, is_set, load, load_from, load_up_to};
-pub use given::{ListOptions, OptionKey};
+pub use given::{ListOptions, OptionKey, axes_of_project};
 pub(crate) use project::AxisList;
 pub(crate) use set::AxisTable;
 pub(crate) use source::Source;

@@ -77,16 +77,17 @@ pub(super) fn unread(own: &Values, given: &Values, cycle_time: Option<&Setting>)
             ),
         );
     }
-    let value = |setting: &Setting| setting.value.as_ref().map(Value::text);
-    if let (Some(of_list), Some(given)) = (own.get(key(Name::CycleTime)), cycle_time)
-        && let (Some(listed), Some(other)) = (value(of_list), value(given))
-        && listed != other
-    {
-        let found = format!("the list was written for `cycle_time` {listed}, and {other} is given");
-        let instead = format!("{listed}, or the list without this comment");
-        said.push(Diagnostic::error(codes::OWN_KEYS, of_list.value_place(), found).instead(instead));
-    }
+    said.extend(other_cycle_time(own, cycle_time));
     said
+}
+
+/// The message if another cycle time is given than the one that a list was written for.
+pub(crate) fn other_cycle_time(own: &Values, given: Option<&Setting>) -> Option<Diagnostic> {
+    let of_list = own.get(key(Name::CycleTime))?;
+    let [listed, other] = [of_list.value.as_ref()?, given?.value.as_ref()?].map(Value::text);
+    let found = format!("the list was written for `cycle_time` {listed}, and {other} is given");
+    let instead = format!("{listed}, or the list without this comment");
+    (listed != other).then(|| Diagnostic::error(codes::OWN_KEYS, of_list.value_place(), found).instead(instead))
 }
 
 /// A value that can stand in a list: a text of a set could end its line, or the list in a project.

@@ -182,6 +182,12 @@ pub(crate) fn templates() -> impl Iterator<Item = &'static str> {
     TABLE.iter().filter(|parameter| parameter.scope != Scope::Set).flat_map(Parameter::paths)
 }
 
+/// Whether a name is that of an array: `stage`.
+pub(super) fn is_array(name: &str) -> bool {
+    let of_array = |part: &str| part.strip_prefix(name).is_some_and(|index| index.starts_with('['));
+    !name.is_empty() && templates().any(|template| template.split('.').any(of_array))
+}
+
 /// `stage[0].mode` and `stage[i].mode` as `stage[].mode`.
 pub(crate) fn without_indices(path: &str) -> String {
     letters(path, true).collect()

@@ -5,7 +5,9 @@ use super::slot::{self, HOLE};
 use super::{spelling, tables};
 use crate::check;
 use crate::config::lines::{self, Content};
-use crate::config::{AxisList, ListOptions, Load, Values, file, given, key, latin_1, list, other_kind, project};
+use crate::config::{
+    AxisList, ListOptions, Load, Values, file, given, key, latin_1, list, other_kind, own_key, project,
+};
 use crate::diagnostics::Report;
 use crate::parameters::words::{ListEncoding, Words};
 use crate::parameters::{Name, Value};
@@ -34,6 +36,7 @@ pub fn import(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Str
         return (None, said.into());
     }
     report.extend(list.report);
+    report.diagnostics.extend(own_key::other_cycle_time(&list.own, top.get(key(Name::CycleTime))));
     // Without a cycle time, a usual one: the check of a list without errors does not depend on it.
     let cycle_time = match top.get(key(Name::CycleTime)).and_then(|setting| setting.value.as_ref()) {
         Some(Value::Duration(ns @ 1..)) => u32::try_from(*ns).unwrap_or(1_000_000),
