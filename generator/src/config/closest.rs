@@ -24,13 +24,13 @@ pub(crate) fn path(written: &str, is_table: bool) -> Option<String> {
     among(path, first).or_else(|| among(path, second))
 }
 
-/// A path with each index in brackets: `stage1.x`, `stage_1.x`, `stage.1.x` and `stage(1).x` are `stage[1].x`.
+/// A path with each index in brackets: `stage1.x`, `stage_1.x` and `stage.1.x` are `stage[1].x`.
 fn indexed(written: &str) -> String {
     let mut path = String::new();
     for part in written.split('.') {
-        let name = part.trim_end_matches(|of: char| of.is_ascii_digit() || of == ')');
-        let digits = part[name.len()..].trim_end_matches(')');
-        let name = name.trim_end_matches(['_', '(']);
+        let name = part.trim_end_matches(|of: char| of.is_ascii_digit());
+        let digits = &part[name.len()..];
+        let name = name.trim_end_matches('_');
         if !digits.is_empty() && name.is_empty() && path.ends_with(|of: char| of.is_ascii_alphabetic() || of == '_') {
             path.extend(["[", digits, "]"]);
             continue;

@@ -1,6 +1,6 @@
 //! The lists of the examples, and the set that comes of one.
 
-use super::{IPC, export_beside, exported_text, import_at, imported, meaning, round_trip};
+use super::{IPC, export_beside, exported_text, import, import_at, meaning, round_trip};
 use std::fs;
 use std::path::PathBuf;
 
@@ -86,5 +86,6 @@ ipc.stage[1].filter[1].fg_f0 1e1
         assert!(again.contains("\nfade = \"0.2s\"\n") && again.contains("\ndirect_source = \"v_direct\"\n"), "{again}");
         assert_eq!(exported_text(&again), *list);
     }
-    assert_eq!(exported_text(&imported(&list)), list.replace("62.5us", "1ms"));
+    // Filters for another cycle would have other frequencies.
+    assert!(import(&list).1.to_string().contains("error[AX121]"));
 }

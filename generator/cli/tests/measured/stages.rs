@@ -197,6 +197,7 @@ fn first_stages_of_every_kind_of_axis() {
         write(&folder, "set.toml", &(SET.replace("kopf", &format!("{keys}kopf")) + after));
         let run = tune(&folder, &["--apply", "first"]);
         assert!(run.code == 0 && !run.err.contains("AX506"), "{keys}{after}: {}{}", run.out, run.err);
+        assert!(read(&folder, "set.toml").contains("enable = \"DRYRUN\""), "{keys}{after}");
     }
     write(&folder, "set.toml", &SET.replace("TRANSLATOR", "ROTATOR"));
     let run = tune(&folder, &[]);
