@@ -310,15 +310,14 @@ pub fn any_cycle<R: Real>(
     let is_position = follows && !has_failed && (is_in_cnc || inputs.drive_on);
     if is_position && state.spindle.missing == 0u32 {
         close(state, coeffs, inputs, &spindle_outputs, outputs, missed, v_missed);
-        put_out_changeover(&spindle_outputs, outputs);
         put_out_velocity(coeffs, &spindle_outputs, outputs, state.held.v_additive);
     } else {
         let mut command = Command::<R>::default();
         held::command_of_open(state, coeffs, &spindle_outputs, &mut command, is_position);
         open(state, coeffs, &spindle_outputs, outputs, &command);
-        put_out_changeover(&spindle_outputs, outputs);
         put_out_velocity(coeffs, &spindle_outputs, outputs, command.v_additive);
     }
+    put_out_changeover(&spindle_outputs, outputs);
 }
 
 /// One cycle.

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   60b095cbfbf6a6f743fdeefa373bb9e9
- * checksum    dca0779cacd79219420f0daed75a9e00
+ * structure   79b46221775bdd2be3acf8f28d8c0796
+ * checksum    b8523d306c8c7608631a01e13c696bea
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -532,6 +532,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         state->spindle_takes_over = false;
         spindle_cycle_control_3 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
     }
+    outputs->spindle_state = spindle_cycle_control_3;
     state->spindle_control_copy = spindle_cycle_control_3;
     state->spindle_control = spindle_cycle_control_3;
     if (inputs->reset || !inputs->drive_on) {
@@ -1052,6 +1053,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     }
     state->spindle_x = spindle_within_turn_3;
     const double spindle_x_spindle_2 = state->spindle_x;
+    outputs->x_spindle = spindle_x_spindle_2;
     const double spindle_v_spindle_3 = state->spindle_v;
     uint32_t spindle_error_now;
     if (state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
@@ -1064,6 +1066,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     const bool spindle_loop_closed =
         spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION && !spindle_has_failed
             && spindle_sample_error_3 == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    outputs->loop_closed = spindle_loop_closed;
     if (!spindle_is_job || !inputs->drive_on || inputs->reset || spindle_has_failed
             || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
         if (state->spindle_present_kind != AXIS_S_SPINDLE_AXIS_JOB_STOP || !spindle_is_job) {
@@ -1132,11 +1135,11 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     } else {
         /* no action */
     }
-    const int32_t spindle_job = state->spindle_present_kind;
-    const double spindle_job_speed = state->spindle_present_speed;
-    const double spindle_job_position = state->spindle_present_position;
-    const uint32_t spindle_job_number = state->spindle_jobs;
-    const uint32_t spindle_waiting = state->spindle_queued;
+    outputs->job = state->spindle_present_kind;
+    outputs->job_speed = state->spindle_present_speed;
+    outputs->job_position = state->spindle_present_position;
+    outputs->job_number = state->spindle_jobs;
+    outputs->waiting = state->spindle_queued;
     const bool spindle_is_quiet =
         state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && state->spindle_queued == 0u
             && !state->spindle_before_any && !state->spindle_takes_over;
@@ -1180,17 +1183,9 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     } else {
         spindle_outputs_v_spindle = spindle_v_spindle_3;
     }
+    outputs->v_spindle = spindle_outputs_v_spindle;
     const bool is_position = follows && !has_failed;
     if (is_position && state->spindle_missing == 0u) {
-        outputs->loop_closed = spindle_loop_closed;
-        outputs->waiting = spindle_waiting;
-        outputs->job_number = spindle_job_number;
-        outputs->job = spindle_job;
-        outputs->spindle_state = spindle_cycle_control_3;
-        outputs->job_position = spindle_job_position;
-        outputs->job_speed = spindle_job_speed;
-        outputs->v_spindle = spindle_outputs_v_spindle;
-        outputs->x_spindle = spindle_x_spindle_2;
         const double lag_4 = spindle_x_spindle_2 - inputs->x_actual;
         double lag_6;
         bool gives_up_2;
@@ -1467,15 +1462,6 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         outputs->error_id = error_now_4;
         outputs->fault = error_now_4 != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     } else {
-        outputs->loop_closed = spindle_loop_closed;
-        outputs->waiting = spindle_waiting;
-        outputs->job_number = spindle_job_number;
-        outputs->job = spindle_job;
-        outputs->spindle_state = spindle_cycle_control_3;
-        outputs->job_position = spindle_job_position;
-        outputs->job_speed = spindle_job_speed;
-        outputs->v_spindle = spindle_outputs_v_spindle;
-        outputs->x_spindle = spindle_x_spindle_2;
         outputs->error_id = spindle_error_now;
         outputs->v_add_calculated = 0.0;
         outputs->v_add = 0.0;

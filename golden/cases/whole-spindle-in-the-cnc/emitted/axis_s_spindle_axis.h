@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   60b095cbfbf6a6f743fdeefa373bb9e9
- * checksum    b76b3b4868556d973555286f0f10ac9d
+ * structure   79b46221775bdd2be3acf8f28d8c0796
+ * checksum    95233e7888f473ca7bc7183d5ef41869
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -39,10 +39,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x60b095cbu
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xfbf6a6f7u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x43fdeefau
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x373bb9e9u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x79b46221u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x775bdd2bu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0xe3acf8f2u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x8d8c0796u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
