@@ -201,7 +201,7 @@ fn first_stages_of_every_kind_of_axis() {
     }
     write(&folder, "set.toml", &SET.replace("TRANSLATOR", "ROTATOR"));
     let run = tune(&folder, &[]);
-    let said = "warning[AX506]: x_command is in mm, and the axis of the set is a rotary axis or a spindle";
+    let said = "warning[AX506]: v_command is in um/s, and the axis of the set is a rotary axis or a spindle";
     assert!(run.code == 0 && run.err.contains(said), "{}{}", run.out, run.err);
 }
 
