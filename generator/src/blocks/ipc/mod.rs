@@ -1,6 +1,7 @@
 //! The block `ipc`: improved position control.
 
 pub(crate) mod advice;
+mod calmer;
 pub(crate) mod certificate;
 pub(crate) mod check;
 pub(crate) mod closed_loop;

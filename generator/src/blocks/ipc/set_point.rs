@@ -1,8 +1,9 @@
 //! Warnings about weights of SET_POINT in a stable loop: they leave the position loop little reserve, or amplify the vibration.
 
+use super::calmer::{best, calmer, place, through, without_set_point};
 use super::closed_loop::{acts_through_position, points};
 use super::stage::StageDesign;
-use super::unstable::{best, calmer, drives, name, place, through, without_set_point};
+use super::unstable::{drives, name};
 use crate::blocks::designed::Designed;
 use crate::codes;
 use crate::number::{rounded, significant};

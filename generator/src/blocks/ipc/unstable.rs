@@ -1,9 +1,9 @@
 //! Stages that make their loop unstable even with an ideal drive: a warning, and an error if the block starts ON.
 
-use super::closed_loop::{Known, acts_through_position, points, position_words, stages};
-use super::stage::StageDesign;
+use super::calmer::{calmer, place, through, without_set_point};
+use super::closed_loop::{Known, acts_through_position, points, stages};
 use super::usual;
-use crate::axis::{Enable, Mode};
+use crate::axis::Enable;
 use crate::blocks::designed::Designed;
 use crate::codes;
 use crate::config::values::{Key, key};
@@ -120,60 +120,6 @@ fn say(designed: &Designed, e: &mut Effective<'_>, closed: &Loop<'_>, what: &str
         report(e, place, found + &position, calmer(designed, closed, design), is_error);
     }
     by_position
-}
-
-/// The loop without the stages that take `v_command`.
-pub(super) fn without_set_point<'a>(designed: &Designed, closed: &Loop<'a>) -> Loop<'a> {
-    closed.with(designed.stage.each_ref().map(|design| match design.as_ref().map(|design| &design.stage) {
-        Some(stage) if !matches!(stage.mode, Mode::SetPoint { .. }) => stage.weight(),
-        Some(_) | None => 0.0,
-    }))
-}
-
-/// The weight of a stage (P-AXIS-00754).
-pub(super) fn place(stage: usize) -> Key {
-    (Name::WeightFactNum, [u32::try_from(stage).expect("design: there are three stages"), 0])
-}
-
-/// The position loop through which a stage acts; empty for one that looks at the motor.
-pub(super) fn through(designed: &Designed, design: &StageDesign) -> String {
-    let is_through = acts_through_position(&designed.axis.control, design.stage.mode);
-    let position = position_words(designed).filter(|_| is_through);
-    position.map_or_else(String::new, |position| format!("; SET_POINT acts inside the position loop ({position})"))
-}
-
-/// The weight of a stage up to which the loop stays well damped; if there is none with the weights of the others, the
-/// fraction of all weights. And the parameter that takes a stage out of the loop, where nothing says that it is in one.
-pub(super) fn calmer(designed: &Designed, closed: &Loop<'_>, design: &StageDesign) -> String {
-    let ([_, calm], [_, calm_part]) = (closed.largest_weights(design.index), closed.largest_parts());
-    let down = |value: f64| down_to(value, 3);
-    // With the weights of the others the loop may not be calm even without this stage.
-    let weight = match calm > 0.0 {
-        true => match best(design).filter(|best| *best < calm) {
-            Some(best) => format!(
-                "a weight of at most {}, the best one at this damping; the loop stays calm up to {} (Ms <= {MAX_MS})",
-                down(best),
-                down(calm)
-            ),
-            None => format!("a weight of at most {}, up to which the loop stays calm (Ms <= {MAX_MS})", down(calm)),
-        },
-        false => {
-            let [own, others] = [design.stage.weight() * calm_part, calm_part * 100.0].map(down);
-            format!("a weight of {own}, and {others} % of the other weights")
-        }
-    };
-    let control = &designed.axis.control;
-    match acts_through_position(control, design.stage.mode) && control.location.is_none() {
-        true => format!("{weight}; or antr.operation_mode DRIVE_POSITION_CONTROL, if the drive controls the position"),
-        false => weight,
-    }
-}
-
-/// The best weight of SET_POINT against the vibration; `None` for another mode.
-pub(super) fn best(design: &StageDesign) -> Option<f64> {
-    let Mode::SetPoint { osc_damping } = design.stage.mode else { return None };
-    let four_d_squared = 4.0 * osc_damping * osc_damping;
-    Some(four_d_squared / (four_d_squared + 1.0))
 }
 
 /// An error where the block starts ON, else a warning.

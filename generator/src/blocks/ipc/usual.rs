@@ -1,7 +1,7 @@
 //! Stages that make their loop unstable with both usual drives, where no drive is stated: a warning.
 
+use super::calmer::{calmer, place, through, without_set_point};
 use super::closed_loop::{Known, acts_through_position, stages};
-use super::unstable::{calmer, place, through, without_set_point};
 use crate::blocks::designed::Designed;
 use crate::codes;
 use crate::number::{down_to, significant};
