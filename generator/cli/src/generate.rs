@@ -59,8 +59,11 @@ pub fn run(of: &GenerateArguments, format: Format) -> Result<Exit, Exit> {
     // One axis that `--name` selects from a project is one of several, as with `--axis`.
     let of_project = arguments.list.name.as_ref().map(|_| config::axes_of_project(&arguments.set, &config::load));
     let others = of_project.unwrap_or_default();
-    let selected: Vec<String> = set.axes.iter().map(|of| of.axis.name.clone()).filter(|_| !others.is_empty()).collect();
-    let scope = Scope::new(&set, if selected.is_empty() { axes } else { &selected }, &of.targets, &others);
+    let selected = match others.is_empty() {
+        true => axes.clone(),
+        false => set.axes.iter().map(|of| of.axis.name.clone()).collect(),
+    };
+    let scope = Scope::new(&set, &selected, &of.targets, &others);
     let dropped = scope.dropped(&recorded, |name| name == PAGE || targets.iter().any(|target| target.name == name));
     let plan = plan::for_folder((&set, axes, &targets), &recorded, &dropped, out);
     let folder = match purpose {

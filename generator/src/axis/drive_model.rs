@@ -27,11 +27,12 @@ pub struct MeasuredDrive {
 }
 
 impl MeasuredDrive {
-    /// The same drive, if it controls the position with this gain Kv [1/s].
+    /// The same drive, if it controls the position with a gain Kv [1/s].
     #[must_use]
-    pub fn in_position_loop(&self, gain: f64) -> Self {
-        let response = stability::Response::clone(&self.response).in_position_loop(gain, self.delay);
-        Self { response: Arc::new(response), ..self.clone() }
+    pub fn in_position_loop(self, gain: Option<f64>) -> Self {
+        let Some(gain) = gain else { return self };
+        let response = Arc::unwrap_or_clone(self.response).in_position_loop(gain, self.delay);
+        Self { response: Arc::new(response), ..self }
     }
 }
 

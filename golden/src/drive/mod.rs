@@ -40,10 +40,7 @@ impl AxisDrive {
             delay_cycles: Some(setup.delay),
             time_constant: (setup.time_constant > 0.0).then_some(setup.time_constant),
             // Its loop was closed only if the set states the gain.
-            response: stated.response.as_ref().map(|measured| match in_drive {
-                Some(gain) => measured.in_position_loop(gain),
-                None => measured.clone(),
-            }),
+            response: stated.response.clone().map(|measured| measured.in_position_loop(in_drive)),
             position_gain: Some(position_gain),
         };
         let filter = model.response.as_ref().map(|measured| ResponseFilter::new(&measured.response, cycle, in_drive));

@@ -1,8 +1,7 @@
-/* What docs/spindle.md states about the emitted block `spindle_axis`. With position control in the CNC: which angle is the lag, from
- * which velocity an error brakes, which command a lost sample leaves; in the drive: when its velocity command is limited, and that
- * both of its velocities together are v_spindle. Each row is
- * a history of a few cycles, without a drive. Prints each row that does not hold, then the number of rows. Angles are in degrees; Kv
- * is 20/s, the deceleration 1000 rpm/s.
+/* What docs/spindle.md states about the emitted block `spindle_axis`. With position control in the CNC: which angle is the lag,
+ * from which velocity an error brakes, which command a lost sample leaves. In the drive: when its velocity command is limited,
+ * and that both of its velocities together are v_spindle. Each row is a history of a few cycles, without a drive. Prints each
+ * row that does not hold, then the number of rows. Angles are in degrees; Kv is 20/s, the deceleration 1000 rpm/s.
  *
  * -DAXIS, -DHEADER, -DIN_DRIVE and -DADDITIVE as for drive.c.
  */

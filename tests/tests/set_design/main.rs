@@ -184,7 +184,7 @@ fn compare(structure: usize, real: RealKind, count: usize) {
         let is_refused = typed.refused[0] != 0;
         assert_eq!(is("designed"), Literal::Bool(!is_refused), "{}", context());
         assert_eq!(is("params.set_id") == Literal::U32(0), is_refused, "{}", context());
-        // The generator has no limit as small as the last one.
+        // The last limit is smaller than any that the generator can make.
         if is_refused || n == count {
             continue;
         }

@@ -38,7 +38,7 @@ pub(crate) fn read(
     let (From::Command { delay } | From::Current { delay, .. }) = from;
     let drive = MeasuredDrive { file: name.to_owned(), response: Arc::new(measured.response), delay };
     let [_, gain_in_drive] = designed.axis.control.placed(designed.axis.drive.position_gain);
-    Some(gain_in_drive.map_or_else(|| drive.clone(), |gain| drive.in_position_loop(gain)))
+    Some(drive.in_position_loop(gain_in_drive))
 }
 
 /// Reports what is stated of the drive and not used: a warning for a key, an error for an option of the command line. A
