@@ -68,7 +68,7 @@ pub fn units<'s>(set: &'s Set) -> Vec<Unit<'s>> {
         axis: &of.axis.name,
         reals: blocks::of_axis(&of.axis).map(|kind| kind.arithmetic_of(of).real()).collect(),
         blocks: blocks::names(&of.axis),
-        takes_sets: of.axis.ipc.takes_sets().then_some(blocks::IPC),
+        takes_sets: of.axis.ipc.takes_sets(),
     };
     set.axes.iter().map(unit).collect()
 }

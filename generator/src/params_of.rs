@@ -137,7 +137,7 @@ pub fn bytes(designed: &Designed, form: Form) -> Result<Vec<u8>, Defect> {
         }
         Form::St | Form::Scl => {
             let stem = in_all(&axis, &block);
-            let ty = st_set_name(&axis.name, block.program.block);
+            let ty = st_set_name(&axis.name);
             let (variable, kind, ty, end) = match form {
                 Form::Scl => ("\"params\"", "data block", format!("\"{ty}\""), "scl"),
                 _ => ("params", "variable", ty, "st"),

@@ -11,7 +11,8 @@ use compiler::leaves;
 use portable::{Literal, Real, RealKind, with_numbers};
 use reference::ipc::Coeffs as IpcCoeffs;
 use reference::set_design;
-use reference::tunable_ipc::{self, Coeffs, TunableIpc};
+use reference::sets::{self, Coeffs};
+use reference::tunable_ipc::TunableIpc;
 
 /// The effect of a parameter set of the new version on the block on the machine, which was generated from the old one.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,14 +94,14 @@ fn refusal<R: Real>(old: &Designed, new: &Designed) -> Option<Refusal> {
         return Some(Refusal::Limit([old, new].map(|of| of.ipc.limit)));
     }
     // The check that the block itself performs.
-    let error = tunable_ipc::refusal(&block, &tunable_ipc::params(&set));
+    let error = sets::refusal(&block, &sets::params(&set));
     (error != reference::signal::error_none()).then_some(Refusal::Numbers(error))
 }
 
 /// Whether the old block with the new numbers has the coefficients of the new block.
 fn is_new<R: Real>(old: &Designed, new: &Designed) -> bool {
     let [block, set] = [old, new].map(coeffs::<R>);
-    let then: IpcCoeffs<R> = with_numbers(&block.ipc, &tunable_ipc::numbers_of(&set.ipc));
+    let then: IpcCoeffs<R> = with_numbers(&block.ipc, &sets::numbers_of(&set.ipc));
     leaves(&then) == leaves(&set.ipc)
 }
 

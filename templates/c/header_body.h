@@ -49,6 +49,10 @@ enum {
 };
 {% endfor %}
 {%- if !block.set.is_empty() %}
+{%- if let Some(shared) = shared_set %}
+/* A parameter set: that of the block ipc of this axis. Its contents must not change while step can read them. */
+typedef {{ shared }} {{ block.prefix }}_params;
+{%- else %}
 /* A parameter set, written by `axgen params-of`. The block checks a set before it uses it. The contents must not change while step
  * can read them: keep the set in ROM, or write it completely before you pass the pointer. */
 typedef struct {
@@ -56,6 +60,7 @@ typedef struct {
 {%- include "c/member.h" %}
 {%- endfor %}
 } {{ block.prefix }}_params;
+{%- endif %}
 
 /* The set that the block was generated with. */
 extern const {{ block.prefix }}_params {{ block.prefix }}_designed;

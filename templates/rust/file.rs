@@ -28,7 +28,11 @@
 #![allow(clippy::unreadable_literal, clippy::approx_constant)] // the digits of all languages
 #![allow(clippy::struct_excessive_bools, clippy::struct_field_names)] // signals have the names of all languages
 
-{% if !set.is_empty() -%}
+{% if let Some(shared) = shared_set -%}
+/// A parameter set: that of the block ipc of this axis.
+pub use {{ shared }};
+
+{% else if !set.is_empty() -%}
 /// A parameter set, written by `axgen params-of`. The block checks a set before it uses it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Params {

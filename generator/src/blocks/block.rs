@@ -1,5 +1,6 @@
 //! A block of an axis, ready to be printed, with its proven properties: data.
 
+use super::IPC;
 use crate::exercise::{Exercise, RecordedAnswers, SelfTest, Trial};
 use compiler::legalise::AxisProgram;
 use compiler::{program::Program, ranges::Shown};
@@ -32,6 +33,12 @@ pub struct Block {
 }
 
 impl Block {
+    /// Whether the type of its parameter set is declared in the files of another block of its axis: `ipc`.
+    pub fn shares_set(&self) -> bool {
+        let takes_one = self.program.set.is_some() && self.program.block != IPC;
+        takes_one || self.program.made.is_some()
+    }
+
     /// The outputs in a record of a run, by their positions: all, but of a block that makes a parameter set those of its axis.
     pub fn recorded_outputs(&self) -> Vec<usize> {
         if self.program.made.is_some() {

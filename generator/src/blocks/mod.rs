@@ -37,7 +37,7 @@ pub use set_design::calls as calls_of_design;
 use crate::axis::Axis;
 use compiler::pass::Defect;
 use portable::{Block as Reference, Field};
-use reference::tunable_ipc::TunableIpc;
+use reference::{tunable_axis::TunableAxis, tunable_ipc::TunableIpc, tunable_spindle_axis::TunableSpindleAxis};
 
 /// All blocks, in the order in which an axis needs them.
 pub(crate) const BLOCKS: [&dyn BlockKind; 8] = [
@@ -76,7 +76,8 @@ pub fn named(name: &str) -> Option<&'static dyn BlockKind> {
 /// The signals of that name, without or with indices (`tuning_weight0`, `stage0_filter1_f0`): the block, whether it is an output,
 /// and its meaning.
 pub fn signals(name: &str) -> Vec<(&'static str, bool, &'static str)> {
-    let references = BLOCKS.iter().map(|kind| *kind as &dyn Typed).chain([&TunableIpc as &dyn Typed]);
+    let with_sets: [&dyn Typed; 3] = [&TunableIpc, &TunableAxis, &TunableSpindleAxis];
+    let references = BLOCKS.iter().map(|kind| *kind as &dyn Typed).chain(with_sets);
     let mut found = Vec::new();
     for reference in references {
         for (fields, is_output) in reference.signals().into_iter().zip([false, true]) {

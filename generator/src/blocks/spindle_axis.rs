@@ -1,12 +1,14 @@
 //! The block `spindle_axis`: the changeover with feedforward, position control and improved position control.
 
-use super::{BlockKind, Design, Drill, Figure, Summary, axis, ipc, spindle};
+use super::ipc::{sets, with_sets};
+use super::{BlockKind, Design, Drill, Figure, Summary, Typed, axis, ipc, spindle};
 use crate::blocks::designed::Designed;
 use portable::Literal;
 use reference::axis::Axis;
 use reference::ipc::mode_off;
 use reference::spindle::Spindle;
 use reference::spindle_axis::{Coeffs, SpindleAxis};
+use reference::tunable_spindle_axis::{self, TunableSpindleAxis};
 
 impl Design for SpindleAxis {
     fn design(designed: &Designed) -> Coeffs<f64> {
@@ -14,12 +16,22 @@ impl Design for SpindleAxis {
         let spindle = reference::spindle::Coeffs { closes_loop: !designed.spindle.in_drive, ..designed.spindle };
         Coeffs { spindle, axis: Axis::design(designed) }
     }
+
+    fn other(designed: &Designed) -> Option<&'static dyn Typed> {
+        designed.axis.ipc.takes_sets().then_some(&TunableSpindleAxis)
+    }
+}
+
+impl Design for TunableSpindleAxis {
+    fn design(designed: &Designed) -> tunable_spindle_axis::Coeffs<f64> {
+        let spindle_axis = SpindleAxis::design(designed);
+        tunable_spindle_axis::Coeffs { sets: sets::coefficients(designed), spindle_axis }
+    }
 }
 
 impl BlockKind for SpindleAxis {
     fn is_asked_for(&self, axis: &crate::axis::Axis) -> bool {
-        // A block with parameter sets is a separate block.
-        axis.control.spindle.is_some() && !axis.ipc.takes_sets()
+        axis.control.spindle.is_some()
     }
 
     fn short_name(&self) -> &'static str {
@@ -36,7 +48,12 @@ impl BlockKind for SpindleAxis {
         let within = |part: &'static str, notes: Vec<(String, String)>| {
             notes.into_iter().map(move |(path, text)| (format!("{part}.{path}"), text))
         };
-        within("spindle", Spindle.notes(designed)).chain(within("axis", Axis.notes(designed))).collect()
+        let of_axis = axis::notes(designed);
+        let notes = within("spindle", Spindle.notes(designed)).chain(within("axis", of_axis)).collect();
+        match designed.axis.ipc.takes_sets() {
+            true => with_sets::notes(designed, notes, ["sets.", "spindle_axis."]),
+            false => notes,
+        }
     }
 
     fn ranges(&self, designed: &Designed) -> [f64; 2] {

@@ -28,8 +28,7 @@ pub fn unit<'a>(axis: &'a str, files: &[(&str, String)]) -> Option<Unit<'a>> {
         _ => None,
     };
     let reals = files.iter().map(|(_, text)| real(text)).collect::<Option<_>>()?;
-    let is_there = |block: &&str| files.iter().any(|(name, _)| name.contains(&set_name(axis, block)));
-    let takes_sets = of_files.iter().copied().find(is_there);
+    let takes_sets = files.iter().any(|(name, _)| name.contains(&set_name(axis)));
     Some(Unit { axis, reals, blocks: of_files, takes_sets })
 }
 
@@ -41,7 +40,7 @@ fn line<'t>(text: &'t str, word: &str) -> Option<&'t str> {
 /// The names, without folders, of the files that axes of either real type share.
 fn shared_names() -> BTreeSet<String> {
     let units =
-        [Unit { axis: "x", reals: [RealKind::F64, RealKind::F32].into(), blocks: Vec::new(), takes_sets: None }];
+        [Unit { axis: "x", reals: [RealKind::F64, RealKind::F32].into(), blocks: Vec::new(), takes_sets: false }];
     let files = TARGETS.iter().flat_map(|target| (target.shared)(&units));
     files.map(|file| file.name.rsplit('/').next().unwrap_or_default().to_owned()).collect()
 }

@@ -248,8 +248,8 @@ pub struct Unit<'a> {
     pub reals: BTreeSet<RealKind>,
     /// the names of its blocks
     pub blocks: Vec<&'static str>,
-    /// the block that takes parameter sets, whose type is a separate file in TwinCAT
-    pub takes_sets: Option<&'static str>,
+    /// whether it takes parameter sets, whose type is a separate file in TwinCAT
+    pub takes_sets: bool,
 }
 
 /// A file that was made, with its name below the output folder.

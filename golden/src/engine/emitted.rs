@@ -36,8 +36,8 @@ pub fn files(dialect: Dialect, designed: &Designed, block: &Block) -> Result<[Fi
 /// The text contains constructs that implementations may interpret differently.
 pub fn read(dialect: Dialect, file: &File, designed: &Designed, block: &Block) -> Result<st::Block, Failure> {
     let (name, real) = (type_name(dialect, designed, block), block.program.real);
-    if block.program.made.is_some() {
-        // The type of the sets is in the file of the block that takes them.
+    if block.shares_set() {
+        // The type of the sets is in the file of the block `ipc`.
         let taker = super::taker(designed)?;
         let [of_taker, _] = files(dialect, designed, &taker)?;
         let others = [read(dialect, &of_taker, designed, &taker)?];

@@ -152,18 +152,19 @@ fn files(target: Target, designed: &Designed, block: &Block) -> Result<Vec<File>
     target.files(&identity(&designed.axis, block), block).map_err(|defect| Failure::Broken(defect.to_string()))
 }
 
-/// The files of the block whose parameter sets a block makes: they declare the type of the sets. Empty if it makes none.
+/// The files of the block `ipc` if they declare the type of the parameter sets that a block takes or makes; else empty.
 ///
 /// # Errors
 /// A defect of the target.
 pub fn of_set(target: Target, designed: &Designed, block: &Block) -> Result<Vec<File>, Failure> {
-    if block.program.made.is_none() {
+    if !block.shares_set() {
         return Ok(Vec::new());
     }
     files(target, designed, &taker(designed)?)
 }
 
-/// The header that the emitted C of a block includes: that of the block whose parameter sets it makes. Empty if it makes none.
+/// The header that the emitted C of a block includes: that of the block which declares the type of its parameter sets. Empty if
+/// it has none.
 ///
 /// # Errors
 /// A defect of the target.
@@ -173,7 +174,7 @@ pub fn headers(designed: &Designed, block: &Block) -> Result<Vec<File>, Failure>
     Ok(files)
 }
 
-/// The block that takes parameter sets.
+/// The block that declares the type of the parameter sets.
 fn taker(designed: &Designed) -> Result<Block, Failure> {
     let kind = generator::blocks::named("ipc").expect("engine: there is the block");
     kind.block(designed).map_err(|defect| Failure::Broken(defect.to_string()))

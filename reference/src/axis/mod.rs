@@ -14,12 +14,13 @@
 mod signals;
 
 pub use signals::{Inputs, Outputs};
+pub(crate) use signals::{inputs, outputs};
 
 use crate::signal::{
     error_call_rate, error_cycle_time, error_half_turn, error_none, error_unstable, error_v_add_master,
     error_v_interpolator, error_x_command, sample_limit,
 };
-use crate::{call_rate, feedforward, ipc, position_control};
+use crate::{call_rate, feedforward, ipc, position_control, sets};
 use portable::{Block, Enable, Off, Real, copy, in_range, note, portable, within};
 use position_control::Location;
 
@@ -32,6 +33,8 @@ pub enum Addition {
     None,
     /// from improved position control
     Ipc,
+    /// from improved position control whose numbers come from parameter sets
+    Sets,
     /// from the master of a gantry
     Master,
 }
@@ -50,6 +53,8 @@ pub struct Coeffs<R> {
     pub counts_turns: bool,
     /// largest velocity below 180 deg / T [0.001 deg/s]
     pub v_largest: R,
+    /// with parameter sets: largest |v_add| of any set
+    pub largest_v_add: R,
     /// gantry slave: largest |v_add| of the master
     pub master_limit: R,
     /// -master_limit
@@ -174,7 +179,10 @@ pub fn improve<R: Real>(
     copy!(ipc_inputs = inputs: v_motor, v_direct, tuning_weight, tuning_limit, mode);
     ipc_inputs.position_controlled = loop_closed;
     let mut ipc_outputs = ipc::Outputs::<R>::default();
-    ipc::any_cycle(&mut state.ipc, &coeffs.ipc, &ipc_inputs, &mut ipc_outputs);
+    ipc::go_on(&mut state.ipc, &coeffs.ipc, &ipc_inputs, &mut ipc_outputs);
+    if coeffs.addition == Addition::Sets {
+        sets::hold_limit(&mut state.ipc, &coeffs.ipc, coeffs.largest_v_add, &mut ipc_outputs);
+    }
     if ipc_outputs.fault {
         fail(outputs, ipc_outputs.error_id);
     } else if coeffs.ipc.tuning.active && ipc_outputs.error_id != error_none() && !outputs.fault {
@@ -201,8 +209,14 @@ pub fn add<R: Real>(
     match coeffs.addition {
         Addition::None => R::ZERO,
         Addition::Master => follow_master(coeffs, inputs, outputs),
-        Addition::Ipc => improve(state, coeffs, inputs, outputs, v_command, loop_closed),
+        Addition::Ipc | Addition::Sets => improve(state, coeffs, inputs, outputs, v_command, loop_closed),
     }
+}
+
+/// Whether the axis has improved position control of its own.
+#[portable]
+pub fn improves<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    coeffs.addition == Addition::Ipc || coeffs.addition == Addition::Sets
 }
 
 /// Whether the drive gets an additive velocity.
@@ -358,6 +372,12 @@ pub fn tell_trip<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Ou
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     ipc::rearm(&mut state.ipc, &coeffs.ipc, inputs.mode, inputs.reset);
+    go_on(state, coeffs, inputs, outputs);
+}
+
+/// The rest of the cycle, after the watch has been rearmed.
+#[portable]
+pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     count_call(state, coeffs, inputs.cycle_counter);
     if !position_control::is_command_in_range(&coeffs.position_control, inputs.x_command) {
         hold(state, coeffs, outputs, error_x_command());

@@ -4,7 +4,7 @@ use crate::design::inputs;
 use crate::design::poles::Prototype;
 use crate::ipc::STAGES;
 use crate::stage::FILTERS;
-use crate::tunable_ipc;
+use crate::sets;
 use portable::portable;
 
 /// The prototypes of the filters of a stage.
@@ -30,5 +30,5 @@ pub struct Coeffs<R> {
     /// values of the inputs that the block was generated with
     pub generated: [inputs::Inputs<R>; STAGES],
     /// the block that takes the set
-    pub set: tunable_ipc::Coeffs<R>,
+    pub set: sets::Coeffs<R>,
 }

@@ -14,7 +14,7 @@ use crate::filter::{MAX_ORDER, Type};
 use crate::ipc::{STAGES, numbers, simulates, watch};
 use crate::precision::is_single;
 use crate::stage::{self, FILTERS};
-use crate::tunable_ipc::check;
+use crate::sets::check;
 use portable::{Real, in_range, note, portable};
 
 /// smallest limit of v_add other than 0, 2^-20, so that single precision and the check word have all digits [um/s or 0.001 deg/s]

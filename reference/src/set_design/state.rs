@@ -4,7 +4,7 @@ use super::element::Element;
 use crate::design::band::Band;
 use crate::design::inputs::Wrong;
 use crate::ipc::numbers::Numbers;
-use crate::tunable_ipc::check;
+use crate::sets::check;
 use portable::portable;
 
 /// The pieces of a design.

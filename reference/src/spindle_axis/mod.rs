@@ -15,6 +15,7 @@ mod signals;
 
 pub use held::Command;
 pub use signals::{Inputs, Outputs};
+pub(crate) use signals::{inputs, outputs};
 
 use crate::angle::{full_turn, shortest};
 use crate::position_control::Location;
@@ -324,9 +325,15 @@ pub fn any_cycle<R: Real>(
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     ipc::rearm(&mut state.axis.ipc, &coeffs.axis.ipc, inputs.mode, inputs.reset);
+    go_on(state, coeffs, inputs, outputs);
+}
+
+/// The rest of the cycle, after the watch has been rearmed.
+#[portable]
+pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut spindle_inputs = spindle::Inputs::<R>::default();
     read(&mut spindle_inputs, inputs);
-    let improves = coeffs.axis.addition == axis::Addition::Ipc;
+    let improves = axis::improves(&coeffs.axis);
     let in_position = spindle::stays_in_position(&state.spindle, &coeffs.spindle, &spindle_inputs)
         && (!improves
             || ipc::is_settled(&state.axis.ipc, &coeffs.axis.ipc, inputs.mode, inputs.v_motor, inputs.v_direct));

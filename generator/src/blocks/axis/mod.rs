@@ -2,7 +2,8 @@
 
 use super::effects::{Effect, Effects, of_part};
 use super::ipc::notes::{self as ipc_notes, cycle_time, note};
-use super::{BlockKind, Design, Figure, Summary, feedforward, ipc, position_control, spindle};
+use super::ipc::{sets, with_sets};
+use super::{BlockKind, Design, Figure, Summary, Typed, feedforward, ipc, position_control, spindle};
 use crate::axis::Location;
 use crate::{blocks::designed::Designed, number::digits};
 use portable::Extreme;
@@ -10,6 +11,7 @@ use reference::axis::{Addition, Axis, Coeffs};
 use reference::call_rate;
 use reference::feedforward::Feedforward;
 use reference::ipc::Ipc;
+use reference::tunable_axis::{self, TunableAxis};
 
 impl Design for Axis {
     fn design(designed: &Designed) -> Coeffs<f64> {
@@ -24,6 +26,7 @@ impl Design for Axis {
             has_feedforward: axis.control.feedforward.is_some(),
             counts_turns: axis.control.is_spindle && in_drive,
             v_largest: spindle::design::v_largest(axis),
+            largest_v_add: axis.ipc.limit(),
             master_limit: limit,
             master_lower_limit: 0.0 - limit, // not `-limit`: 0 stays +0
             feedforward: reference::feedforward::Coeffs { call_rate: uncounted, ..designed.feedforward },
@@ -32,12 +35,21 @@ impl Design for Axis {
             call_rate: call_rate::Coeffs { active: axis.counts_calls },
         }
     }
+
+    fn other(designed: &Designed) -> Option<&'static dyn Typed> {
+        designed.axis.ipc.takes_sets().then_some(&TunableAxis)
+    }
+}
+
+impl Design for TunableAxis {
+    fn design(designed: &Designed) -> tunable_axis::Coeffs<f64> {
+        tunable_axis::Coeffs { sets: sets::coefficients(designed), axis: Axis::design(designed) }
+    }
 }
 
 impl BlockKind for Axis {
     fn is_asked_for(&self, axis: &crate::axis::Axis) -> bool {
-        // A block with parameter sets is a separate block.
-        axis.control.position_control.is_some() && axis.control.spindle.is_none() && !axis.ipc.takes_sets()
+        axis.control.position_control.is_some() && axis.control.spindle.is_none()
     }
 
     fn short_name(&self) -> &'static str {
@@ -52,26 +64,9 @@ impl BlockKind for Axis {
         )
     }
 
-    /// The notes of the block and of its parts.
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
-        let axis = &designed.axis;
-        let within = |part: &'static str, notes: Vec<(String, String)>| {
-            notes.into_iter().map(move |(path, text)| (format!("{part}.{path}"), text))
-        };
-        let mut notes = vec![note("cycle_time_ns", cycle_time(axis))];
-        if axis.control.is_spindle {
-            let end = digits(spindle::design::half_turn(axis) / spindle::notes::RPM);
-            notes.push(note("v_largest", format!("below {end} rpm")));
-        }
-        if let Some(limit) = axis.control.master_limit {
-            let limit = digits(limit);
-            let text = format!("largest |v_add| = {limit} of the gantry's master (P-AXIS-00070, 00757, 00212)");
-            notes.push(note("master_limit", text));
-        }
-        notes.extend(within("feedforward", feedforward::notes::notes(axis)));
-        notes.extend(within("ipc", ipc_notes::notes(designed)));
-        notes.extend(within("position_control", position_control::notes::notes(axis)));
-        notes
+        let notes = notes(designed);
+        if designed.axis.ipc.takes_sets() { with_sets::notes(designed, notes, ["sets.", "axis."]) } else { notes }
     }
 
     fn ranges(&self, designed: &Designed) -> [f64; 2] {
@@ -109,8 +104,31 @@ pub(super) fn parts(designed: &Designed) -> String {
         (of.position_control.location == Location::Cnc, "position control in the CNC"),
         (of.position_control.location != Location::Cnc, "commands for the drive, which controls the position"),
         (of.addition == Addition::Ipc, "improved position control, whose v_add fades in"),
+        (of.addition == Addition::Sets, "improved position control with parameter sets, whose v_add fades in"),
         (of.addition == Addition::Master, "the v_add of the gantry's master"),
     ];
     let parts: Vec<&str> = parts.iter().filter(|(exists, _)| *exists).map(|(_, part)| *part).collect();
     parts.join(", ")
+}
+
+/// The notes of the block with constants and of its parts.
+pub(super) fn notes(designed: &Designed) -> Vec<(String, String)> {
+    let axis = &designed.axis;
+    let within = |part: &'static str, notes: Vec<(String, String)>| {
+        notes.into_iter().map(move |(path, text)| (format!("{part}.{path}"), text))
+    };
+    let mut notes = vec![note("cycle_time_ns", cycle_time(axis))];
+    if axis.control.is_spindle {
+        let end = digits(spindle::design::half_turn(axis) / spindle::notes::RPM);
+        notes.push(note("v_largest", format!("below {end} rpm")));
+    }
+    if let Some(limit) = axis.control.master_limit {
+        let limit = digits(limit);
+        let text = format!("largest |v_add| = {limit} of the gantry's master (P-AXIS-00070, 00757, 00212)");
+        notes.push(note("master_limit", text));
+    }
+    notes.extend(within("feedforward", feedforward::notes::notes(axis)));
+    notes.extend(within("ipc", ipc_notes::notes(designed)));
+    notes.extend(within("position_control", position_control::notes::notes(axis)));
+    notes
 }

@@ -21,7 +21,7 @@ pub(crate) mod sets;
 pub(crate) mod stage;
 mod unstable;
 mod usual;
-mod with_sets;
+pub(super) mod with_sets;
 
 use super::products::VERIFIED;
 use super::{BlockKind, Certified, Design, Details, Figure, Summary, Typed};
@@ -60,7 +60,7 @@ impl BlockKind for Ipc {
 
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
         let notes = notes::notes(designed);
-        if designed.axis.ipc.takes_sets() { with_sets::notes(designed, notes) } else { notes }
+        if designed.axis.ipc.takes_sets() { with_sets::notes(designed, notes, ["", "ipc."]) } else { notes }
     }
 
     fn ranges(&self, designed: &Designed) -> [f64; 2] {

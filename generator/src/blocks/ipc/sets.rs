@@ -2,12 +2,13 @@
 //! `with_sets`.
 
 use crate::axis::Axis;
+use crate::blocks::Designed;
 use crate::design::rounding::rounded;
 use compiler::leaves;
 use portable::{Literal, RealKind};
 use reference::check_word::empty;
 use reference::ipc::Coeffs as IpcCoeffs;
-use reference::tunable_ipc::{Coeffs, params};
+use reference::sets::{Coeffs, params};
 use xxhash_rust::xxh3::xxh3_64;
 
 /// An id of a set, as printed in names and heads of files and as shown by a PLC.
@@ -46,7 +47,13 @@ fn set(structure: u32, axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
     }
 }
 
-/// The coefficients of the block that takes sets.
+/// The coefficients of the sets of an axis.
+pub(in crate::blocks) fn coefficients(designed: &Designed) -> Coeffs<f64> {
+    let [structure, set_id] = designed.sets;
+    with(structure, set_id, &designed.ipc)
+}
+
+/// The coefficients of sets with these ids.
 pub(in crate::blocks) fn with(structure: u32, set_id: u32, ipc: &IpcCoeffs<f64>) -> Coeffs<f64> {
     let [empty_first, empty_second] = empty(structure);
     Coeffs { structure, empty_first, empty_second, set_id, ipc: *ipc }

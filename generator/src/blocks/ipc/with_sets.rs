@@ -1,31 +1,37 @@
 //! The block `ipc` of an axis whose numbers come from parameter sets: the texts that differ from those of the block with
 //! constants.
 
-use super::notes::note;
 use super::sets::{self, shown};
 use crate::blocks::{Certified, Design, Designed};
-use reference::tunable_ipc::{Coeffs, TunableIpc};
+use reference::sets::Coeffs;
+use reference::tunable_ipc::TunableIpc;
 
 impl Design for TunableIpc {
     fn design(designed: &Designed) -> Coeffs<f64> {
-        let [structure, set_id] = designed.sets;
-        sets::with(structure, set_id, &designed.ipc)
+        sets::coefficients(designed)
     }
 }
 
-/// Its notes, derived from those of the block with constants.
-pub(super) fn notes(designed: &Designed, of_constants: Vec<(String, String)>) -> Vec<(String, String)> {
+/// The notes of a block with parameter sets, derived from those of the block with constants. `paths`: where the coefficients of the
+/// sets are, and where those of the block with constants are.
+pub(in crate::blocks) fn notes(
+    designed: &Designed,
+    of_constants: Vec<(String, String)>,
+    [of_sets, of_block]: [&str; 2],
+) -> Vec<(String, String)> {
     let [structure, set] = designed.sets;
     let own = [
-        note("structure", format!("accepts parameter sets for the set structure {}", shown(structure))),
-        note("set_id", format!("the block was generated with the set number {}", shown(set))),
+        ("structure", format!("accepts parameter sets for the set structure {}", shown(structure))),
+        ("set_id", format!("the block was generated with the set number {}", shown(set))),
     ];
+    let own = own.map(|(name, text)| (format!("{of_sets}{name}"), text));
     // The numbers of a stage differ from set to set.
-    let of_ipc = of_constants.into_iter().map(|(path, text)| {
-        let text = if path.starts_with("stage") { format!("as generated: {text}") } else { text };
-        (format!("ipc.{path}"), text)
+    let is_of_stage = |path: &str| path.split('.').any(|part| part.starts_with("stage"));
+    let of_block = of_constants.into_iter().map(|(path, text)| {
+        let text = if is_of_stage(&path) { format!("as generated: {text}") } else { text };
+        (format!("{of_block}{path}"), text)
     });
-    own.into_iter().chain(of_ipc).collect()
+    own.into_iter().chain(of_block).collect()
 }
 
 /// The line of its summary.

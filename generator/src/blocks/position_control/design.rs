@@ -48,6 +48,7 @@ fn adds(axis: &Axis, of: &PositionControl) -> bool {
 pub(crate) fn addition(axis: &Axis) -> axis::Addition {
     match (axis.control.master, axis.control.master_limit) {
         (Some(_), Some(_)) => axis::Addition::Master,
+        (None, _) if axis.ipc.takes_sets() => axis::Addition::Sets,
         (None, _) if axis.ipc.is_active() => axis::Addition::Ipc,
         _ => axis::Addition::None,
     }

@@ -40,8 +40,10 @@ struct CHeader<'a> {
     enumerations: Vec<Group>,
     block: &'a CBlock,
     self_test: &'a SelfTest,
-    /// the header with the type of the parameter set that the block makes
+    /// the header with the type of the parameter set, if another block declares it
     header_of_set: Option<String>,
+    /// that type
+    shared_set: Option<String>,
 }
 
 #[derive(Template)]
@@ -108,6 +110,7 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
     let printer = &Printer::new(program, &LANGUAGE, &prefix);
     let outline = &Outline { axis, block, language: &LANGUAGE, printer, next_line: "\n * " };
     let text = &listed(outline, &prefix);
+    let shared = block.block.shares_set().then(|| names::set(axis));
     let header_body = CHeader {
         guard: format!("{}_H", prefix.to_ascii_uppercase()),
         names: prefix.to_ascii_uppercase(),
@@ -117,7 +120,8 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
         enumerations: header::enumerations(outline),
         block: text,
         self_test,
-        header_of_set: program.made.map(|_| format!("{}.h", names::prefix(axis, IPC))),
+        header_of_set: shared.as_ref().map(|_| format!("{}.h", names::prefix(axis, IPC))),
+        shared_set: shared,
     };
     let source_body = CSource {
         header: &header,

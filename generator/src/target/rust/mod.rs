@@ -33,6 +33,8 @@ struct RustFile<'a> {
     inputs: Vec<Member>,
     /// the parameter set, if it takes one
     set: Vec<Member>,
+    /// its type, if another block declares it
+    shared_set: Option<String>,
     outputs: Vec<Member>,
     state: Vec<Member>,
     /// numbers that the caller can check, without those that are in `constants`
@@ -81,7 +83,7 @@ impl RustFile<'_> {
             ("Outputs", "The outputs before the first cycle.", &self.outputs),
             ("State", "The state before the first cycle.", &self.state),
         ];
-        (!self.set.is_empty()).then_some(set).into_iter().chain(always).collect()
+        (!self.set.is_empty() && self.shared_set.is_none()).then_some(set).into_iter().chain(always).collect()
     }
 }
 
@@ -128,6 +130,7 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
     let public = figures.iter().map(|figure| figure.name.clone()).collect();
     let is_constant = |name: &str| constants.iter().any(|group| group.constants.iter().any(|of| of.name == name));
     figures.retain(|figure| !is_constant(&figure.name));
+    let of_ipc = |item: &str| format!("super::{}::{item}", block_name(&axis.name, IPC));
     let template = RustFile {
         file: &file,
         axis,
@@ -135,9 +138,9 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
         real: LANGUAGE.ty(Type::Real, axis.real),
         bits,
         inputs,
+        shared_set: (block.block.shares_set() && !set.is_empty()).then(|| of_ipc("Params")),
         set,
-        outputs: outline
-            .outputs(["Params", "Params::new()"].map(|of| format!("super::{}::{of}", block_name(&axis.name, IPC)))),
+        outputs: outline.outputs(["Params", "Params::new()"].map(of_ipc)),
         state,
         figures,
         public,

@@ -58,15 +58,21 @@ pub(in crate::target) struct Listing {
 #[derive(Clone, Debug)]
 pub(in crate::target) struct SetType {
     pub(super) name: String,
+    /// empty if another block of the axis declares it
     pub(super) parts: Vec<Member>,
 }
 
-/// The name of the type of the parameter sets of a block of an axis.
-pub(crate) fn set_name(axis: &str, block: &str) -> String {
-    format!("ST_{}_params", block_name(axis, block))
+/// The name of the type of the parameter sets of an axis.
+pub(crate) fn set_name(axis: &str) -> String {
+    format!("ST_{}_params", block_name(axis, IPC))
 }
 
 impl Listing {
+    /// The type of its set if its file declares it.
+    pub(super) fn declared_set(&self) -> Option<&SetType> {
+        self.set.as_ref().filter(|set| !set.parts.is_empty())
+    }
+
     /// The name of the type of its set, in a declaration.
     pub(super) fn set_name(&self, set: &SetType) -> String {
         format!("{0}{1}{0}", self.quote, set.name)
@@ -95,7 +101,7 @@ impl Listing {
 
 /// The type of the parameter sets that another block of an axis makes for its block `ipc`.
 pub(super) fn made(axis: &BlockIdentity, dialect: &Dialect) -> String {
-    format!("{0}{1}{0}", dialect.quote, set_name(&axis.name, IPC))
+    format!("{0}{1}{0}", dialect.quote, set_name(&axis.name))
 }
 
 /// The name of the function block of a block of an axis.
@@ -114,7 +120,7 @@ pub(super) fn listing(axis: &BlockIdentity, block: &TargetBlock<'_>, dialect: &D
         set: block
             .program
             .has_set()
-            .then(|| SetType { name: set_name(&axis.name, block.program.block), parts: outline.set() }),
+            .then(|| SetType { name: set_name(&axis.name), parts: if block.block.shares_set() { Vec::new() } else { outline.set() } }),
         outputs: outline.outputs([made(axis, dialect), String::new()]),
         state: outline.state(outline.parts_of_state(), |of, length| Member {
             ty: format!("ARRAY[0..{}] OF {}", length - 1, of.ty).into(),
@@ -165,7 +171,7 @@ impl Origin<'_> {
         let instance = format!("{}_{}", self.axis.name.to_ascii_lowercase(), self.block);
         let ty = format!("{0}{1}{0}", dialect.quote, name(&self.axis.name, self.block, dialect));
         // In SCL the set is a data block, to which `params-of` writes.
-        let set = set_name(&self.axis.name, self.block);
+        let set = set_name(&self.axis.name);
         let set = match dialect.quote {
             "" => format!("{SET} : {set};"),
             quote => format!("a data block {quote}{SET}{quote} of the type {quote}{set}{quote}"),

@@ -109,7 +109,7 @@ pub(super) fn listing(axis: &BlockIdentity, block: &TargetBlock<'_>, dialect: &D
         state.push(member(ty.into(), name, "parameter set of the reference"));
     }
     if program.has_set() {
-        let name = set_name(&axis.name, program.block);
+        let name = set_name(&axis.name);
         state.push(member(format!("{0}{name}{0}", dialect.quote).into(), SET.to_owned(), "the parameter set"));
     }
     Listing {

@@ -61,7 +61,7 @@ pub(crate) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
         rendered(folder, &file, &TcPou { origin, id: guid("POU", &listing.name), block: listing })
     };
     let [listing, test] = in_codesys(axis, block);
-    let set = listing.set.as_ref().map(|set| {
+    let set = listing.declared_set().map(|set| {
         let file = format!("{}.TcDUT", set.name);
         let template = TcParams { origin: origin(axis, &file, block, &TWINCAT), id: guid("DUT", &set.name), set };
         rendered(DUTS, &file, &template)

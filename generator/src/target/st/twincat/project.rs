@@ -56,7 +56,7 @@ pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
     let suites = blocks.iter().map(|block| suite::suite_name(block)).collect();
     let program = TcProgram { id: guid("POU", "PRG_axgen_tests"), suites };
     files.push(rendered(TESTS, "PRG_axgen_tests.TcPOU", &program));
-    let params = units.iter().filter_map(|unit| unit.takes_sets.map(|block| set_name(unit.axis, block)));
+    let params = units.iter().filter(|unit| unit.takes_sets).map(|unit| set_name(unit.axis));
     let project = project(&files, &blocks, params);
     files.extend([project, target::rendered(&format!("{FOLDER}/IMPORT.md"), "", &TcGuide)]);
     files
