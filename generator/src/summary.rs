@@ -37,7 +37,7 @@ pub fn details(designed: &Designed) -> AxisRow {
         stages.extend(of.stages);
         lines.extend(of.lines);
     }
-    lines.extend(drive(axis).into_iter().chain(keys(designed)).chain(gantry(axis)));
+    lines.extend(drive(axis).into_iter().chain(keys(designed)));
     AxisRow { reserve: stages.iter().filter_map(|row| row.active.as_ref()?.reserve).max(), stages, lines, ..head(axis) }
 }
 
@@ -128,14 +128,4 @@ fn keys(designed: &Designed) -> Vec<String> {
     let watch = (designed.ipc.watch.active)
         .then(|| "watch: fades out where the loop becomes unstable, output `tripped`".to_owned());
     tunable.into_iter().chain(watch).collect()
-}
-
-/// How the slaves get the additive velocity of a master without the block `axis`, whose parts the caller connects.
-fn gantry(axis: &Axis) -> Option<String> {
-    let slaves = &axis.control.slaves;
-    let is_open = axis.ipc.takes_sets() && !slaves.is_empty();
-    is_open.then(|| {
-        let slaves = slaves.join(", ");
-        format!("gantry master of {slaves}: v_add_master must get the v_add that acts on this axis in the same cycle")
-    })
 }

@@ -94,7 +94,8 @@ impl Subject {
 }
 
 /// A value of a signal as a number, which is exact for every value.
-pub(crate) fn number(value: Literal) -> f64 {
+#[must_use]
+pub fn number(value: Literal) -> f64 {
     match value {
         Literal::Bool(value) => f64::from(u8::from(value)),
         Literal::I32(value) => f64::from(value),

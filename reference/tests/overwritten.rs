@@ -2,42 +2,43 @@
 
 #![expect(clippy::float_cmp, reason = "what is copied is that number")]
 
-use reference::{ipc, tunable_ipc};
+use reference::{ipc, sets};
 
 /// "Whatever overwrites the numbers": each limit is compared with its copy in its turn.
 #[test]
 fn each_limit_is_compared_with_its_copy() {
-    let mut coeffs = tunable_ipc::Coeffs::<f64>::default();
+    let mut coeffs = sets::Coeffs::<f64>::default();
     coeffs.ipc.watch.active = true;
-    let mut sound = tunable_ipc::State::<f64> { set_id: 1, ..Default::default() };
+    let mut sound = sets::State::<f64> { set_id: 1, ..Default::default() };
     let of = &mut sound.copy;
     (of.limit, of.lower_limit, of.sum_limit, of.watch.quiet) = (10.0, -10.0, 100.0, 0.2);
-    sound.now = sound.copy;
+    sound.now.axis.ipc = sound.copy;
     for turn in 0..4 {
-        let mut state = tunable_ipc::State { turn, ..sound };
-        tunable_ipc::compare_one(&mut state, &coeffs);
-        assert_eq!((state.turn, state.ipc.fade), (turn + 1, 0));
+        let mut state = sets::State { turn, ..sound };
+        let mut ipc_state = ipc::State::<f64>::default();
+        sets::compare_one(&mut state, &mut ipc_state, &coeffs);
+        assert_eq!((state.turn, ipc_state.fade), (turn + 1, 0));
         state.turn = turn;
         match turn {
-            0 => state.now.limit = 11.0,
-            1 => state.now.lower_limit = 10.0,
-            2 => state.now.sum_limit = f64::NAN,
-            _ => state.now.watch.quiet = 0.0,
+            0 => state.now.axis.ipc.limit = 11.0,
+            1 => state.now.axis.ipc.lower_limit = 10.0,
+            2 => state.now.axis.ipc.sum_limit = f64::NAN,
+            _ => state.now.axis.ipc.watch.quiet = 0.0,
         }
-        tunable_ipc::compare_one(&mut state, &coeffs);
-        assert_eq!((state.turn, state.ipc.fade), (0, 1), "turn {turn}: the fade is beyond its end");
+        sets::compare_one(&mut state, &mut ipc_state, &coeffs);
+        assert_eq!((state.turn, ipc_state.fade), (0, 1), "turn {turn}: the fade is beyond its end");
     }
 }
 
 /// A pause that no refusal leads to is none: a set is looked at, and not after 2^32 cycles only.
 #[test]
 fn a_pause_beyond_the_fade_is_none() {
-    let mut coeffs = tunable_ipc::Coeffs::<f64>::default();
+    let mut coeffs = sets::Coeffs::<f64>::default();
     coeffs.ipc.fade_cycles = 20;
     let is_paused = |pause: u32| {
-        let mut state = tunable_ipc::State::<f64>::default();
+        let mut state = sets::State::<f64>::default();
         (state.pause, state.refused, state.refused_set, state.offered_set) = (pause, 7, 5, 5);
-        tunable_ipc::is_paused(&state, &coeffs)
+        sets::is_paused(&state, &coeffs)
     };
     assert_eq!([0, 1, 20, 21, u32::MAX].map(is_paused), [false, true, true, false, false]);
 }

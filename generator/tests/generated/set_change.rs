@@ -6,7 +6,8 @@ use generator::blocks::{Design, Designed};
 use generator::params_of;
 use generator::set_change::{Refusal, judge};
 use portable::{Literal, Portable, Real, RealKind};
-use reference::tunable_ipc::{Coeffs, Inputs, Outputs, State, TunableIpc, init, params, refusal, step};
+use reference::sets::{Coeffs, params, refusal};
+use reference::tunable_ipc::{Inputs, Outputs, State, TunableIpc, init, step};
 use std::collections::BTreeSet;
 
 const SET: &str = include_str!("../data/tunable.toml");
@@ -235,16 +236,16 @@ fn build<T: Portable>(mut leaves: impl Iterator<Item = Literal>) -> T {
     T::build(&mut || leaves.next().unwrap_or_else(|| panic!("all scalars of the type")))
 }
 
-/// The block that takes sets stands by itself: no block of a whole axis has its numbers as constants. What never acts takes none.
+/// An axis has the same blocks with sets as with constants. What never acts takes none.
 #[test]
-fn a_block_that_takes_sets_stands_by_itself() {
+fn sets_leave_the_blocks_of_an_axis_as_they_are() {
     let of = |changes: &[(&str, &str)]| generator::blocks::names(&axis(changes).axis);
     let loops = ("getriebe = [{ dynamik", "getriebe = [{ kv = 2000, dynamik");
     let feedforward = ("watch = true", "vorsteuer.vorsteuerung = \"VEL\"");
     let constants = ("tunable = \"all\"", "tunable = \"nothing\"");
     assert_eq!(of(&[]), ["ipc"]);
-    assert_eq!(of(&[loops, feedforward, constants]), ["ipc", "feedforward", "position_control", "axis"]);
-    assert_eq!(of(&[loops, feedforward]), ["ipc", "feedforward", "position_control"]);
+    let whole = ["ipc", "feedforward", "position_control", "axis"];
+    assert_eq!([of(&[loops, feedforward, constants]), of(&[loops, feedforward])], [whole, whole]);
     let inactive = ("mode = \"DIRECT\"", "mode = \"NOT_ACTIVE\"");
     let other = ("mode = \"SET_POINT\"", "mode = \"NOT_ACTIVE\"");
     assert_eq!(of(&[loops, feedforward, inactive, other]), ["feedforward", "position_control", "axis"]);

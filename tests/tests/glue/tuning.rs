@@ -10,7 +10,7 @@ use generator::config::ListOptions;
 use golden::case::named_block;
 use golden::engine::emitted;
 use portable::{Literal, Portable, RealKind};
-use reference::tunable_ipc::{Coeffs, params};
+use reference::sets::{Coeffs, params};
 use st::{Block, Dialect, Instance, Program};
 use std::path::Path;
 

@@ -11,6 +11,7 @@
 
 mod axes;
 mod corrupted;
+mod whole;
 mod written_meanwhile;
 
 use axes::{FACT, STRUCTURES, block, other, set, sets};
@@ -27,7 +28,8 @@ use golden::samples::{Samples, Shape};
 use portable::{Literal, Portable, Real, RealKind};
 use rayon::prelude::*;
 use reference::ipc::numbers::Params;
-use reference::tunable_ipc::{self, Coeffs, TunableIpc};
+use reference::sets::{self, Coeffs};
+use reference::tunable_ipc::{self, TunableIpc};
 
 /// Cycles of a run.
 const RUN: usize = 12_000;
@@ -195,7 +197,7 @@ where
 {
     let bench = bench(structure, R::KIND);
     let coeffs = coeffs::<R>(&bench.designed);
-    let usual = leaves(&tunable_ipc::params(&coeffs));
+    let usual = leaves(&sets::params(&coeffs));
     let first = bench.sets[0][0].0;
     let mut rng = Rng::new(11);
     let (mut taken, mut changed) = (0, 0);
@@ -208,7 +210,7 @@ where
         let params = Params::<R>::build(&mut || leaves.next().unwrap());
         if bench.sets.iter().all(|set| !are_same(&offered, set)) {
             changed += 1;
-            taken += usize::from(tunable_ipc::refusal(&coeffs, &params) == 0);
+            taken += usize::from(sets::refusal(&coeffs, &params) == 0);
         }
     }
     (taken, changed)
@@ -298,8 +300,8 @@ fn a_set_of_another_axis_is_refused() {
     let axis = generator::axis::Axis { name: "Y".to_owned(), ..bench.designed.axis.clone() };
     let [own, other] = [&bench.designed, &Designed::from(axis)].map(coeffs::<f64>);
     assert_ne!(own.structure, other.structure);
-    assert_eq!(tunable_ipc::refusal(&own, &tunable_ipc::params(&own)), 0);
-    assert_eq!(tunable_ipc::refusal(&own, &tunable_ipc::params(&other)), 6);
+    assert_eq!(sets::refusal(&own, &sets::params(&own)), 0);
+    assert_eq!(sets::refusal(&own, &sets::params(&other)), 6);
 }
 
 /// Whatever overwrites the state, numbers in use included: nothing is added beyond the limit of the block.
@@ -373,7 +375,7 @@ fn behind_a_fault_of_the_state_a_tripped_watch_stays_tripped() {
                 810 if is_refused => inputs.params.structure += 1,
                 // In the fade out, and after it.
                 820 | 1500 => state.ipc.fade = u32::MAX,
-                2000 => inputs.params = tunable_ipc::params(&coeffs),
+                2000 => inputs.params = sets::params(&coeffs),
                 _ => {}
             }
             tunable_ipc::step(&mut state, &coeffs, &inputs, &mut outputs);
@@ -404,8 +406,8 @@ fn behind_a_fault_of_the_state_a_refused_set_leaves_none_in_use() {
         match cycle {
             500 => inputs.params.structure += 1,
             600 => inputs.params.set_id += 1,
-            1000 => state.now.limit = 1e12,
-            1001 => state.now.stage[0].gain = f64::NAN,
+            1000 => state.sets.now.axis.ipc.limit = 1e12,
+            1001 => state.sets.now.axis.ipc.stage[0].gain = f64::NAN,
             1500 => inputs.params = whole,
             _ => {}
         }
@@ -436,7 +438,7 @@ fn numbers_that_were_overwritten_are_taken_over_anew() {
     for cycle in 0..20_000 {
         inputs.v_motor = 1000.0 * (f64::from(cycle) * 0.3).sin();
         if cycle == 1000 {
-            state.now.stage[0].filter[0].bandpass[0].a2 = 3.0;
+            state.sets.now.axis.ipc.stage[0].filter[0].bandpass[0].a2 = 3.0;
         }
         tunable_ipc::step(&mut state, &coeffs, &inputs, &mut outputs);
         tunable_ipc::step(&mut sound, &coeffs, &inputs, &mut expected);
@@ -453,13 +455,13 @@ fn numbers_that_were_overwritten_are_taken_over_anew() {
 fn every_refusal_has_its_id() {
     let bench = bench(0, RealKind::F64);
     let coeffs = coeffs::<f64>(&bench.designed);
-    let whole = tunable_ipc::params(&coeffs);
+    let whole = sets::params(&coeffs);
     let after = |change: &dyn Fn(&mut Params<f64>)| {
         let mut params = whole;
         change(&mut params);
         // The number fits, so that nothing but the rule refuses it.
-        tunable_ipc::seal(&coeffs, &mut params);
-        tunable_ipc::refusal(&coeffs, &params)
+        sets::seal(&coeffs, &mut params);
+        sets::refusal(&coeffs, &params)
     };
     assert_eq!(after(&|_| ()), 0);
     assert_eq!(after(&|params| params.structure += 1), 6);
@@ -473,9 +475,9 @@ fn every_refusal_has_its_id() {
     assert_eq!(after(&|params| params.stage[0].gain = -7.1), 7);
     assert_eq!(after(&|params| params.stage[0].filter[0].bandpass[0].a2 = 1.0), 7, "a pole on the unit circle");
     assert_eq!(after(&|params| params.stage[0].filter[0].bandpass[0].a1 = -2.0), 7);
-    assert_eq!(tunable_ipc::refusal(&coeffs, &Params { set_id: 0, ..whole }), 6);
-    assert_eq!(tunable_ipc::refusal(&coeffs, &Params { set_id: whole.set_id ^ 1, ..whole }), 8);
+    assert_eq!(sets::refusal(&coeffs, &Params { set_id: 0, ..whole }), 6);
+    assert_eq!(sets::refusal(&coeffs, &Params { set_id: whole.set_id ^ 1, ..whole }), 8);
     let mut damaged = whole;
     damaged.stage[0].gain *= 0.5;
-    assert_eq!(tunable_ipc::refusal(&coeffs, &damaged), 8);
+    assert_eq!(sets::refusal(&coeffs, &damaged), 8);
 }

@@ -23,7 +23,7 @@ use portable::{Literal, Portable, Real, RealKind};
 use rayon::prelude::*;
 use reference::design::inputs::Wrong;
 use reference::set_design::error_of;
-use reference::tunable_ipc::{Coeffs, params, refusal};
+use reference::sets::{Coeffs, params, refusal};
 
 /// The structures: everything that a stage may have.
 const STRUCTURES: [&str; 5] = [
