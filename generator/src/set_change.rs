@@ -161,7 +161,9 @@ fn other_blocks(old: &Designed, new: &Designed) -> Vec<String> {
         let numbers = |name: &str| (name == SET_DESIGN).then(|| design(of));
         kinds.map(|kind| (kind.name(), numbers(kind.name()).unwrap_or_else(|| kind.coefficients(of)))).collect()
     };
-    let (before, after) = (others(old), others(new));
+    // In the blocks of a whole axis a set carries the numbers of improved position control, too.
+    let with_old_set = Designed { ipc: old.ipc, sets: old.sets, ..new.clone() };
+    let (before, after) = (others(old), others(&with_old_set));
     let changed = before.iter().filter(|of| !after.contains(of)).map(|(name, _)| *name);
     let added = after.iter().filter(|(name, _)| before.iter().all(|(other, _)| other != name)).map(|(name, _)| *name);
     changed.chain(added).map(|name| format!("the block {name} differs")).collect()

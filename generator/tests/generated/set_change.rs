@@ -143,7 +143,12 @@ fn what_is_no_number_of_a_set_is_left() {
     let slower = [("vb_max = 400000", "vb_max = 200000"), ("v_add_max_fact = 500", "v_add_max_fact = 1000")];
     assert_eq!(left(&slower), ["v_max 400000 -> 200000"]);
     let feedforward = [("[[axis.X.lr", "[axis.X.vorsteuer]\nvorsteuerung = \"VEL\"\n\n[[axis.X.lr")];
-    assert_eq!(left(&feedforward), ["the block feedforward differs", "the block position_control differs"]);
+    let differing = ["the block feedforward differs", "the block position_control differs", "the block axis differs"];
+    assert_eq!(left(&feedforward), differing);
+    // A block `axis` takes its numbers from the set, too.
+    let loops = ("getriebe = [{ dynamik", "getriebe = [{ kv = 2000, dynamik");
+    let judged = judge(&axis(&[loops]), &axis(&[loops, ("fact_num = 80", "fact_num = 70")]));
+    assert_eq!(judged.reasons(), Vec::<String>::new());
 }
 
 #[test]

@@ -26,7 +26,7 @@ impl Design for Axis {
             has_feedforward: axis.control.feedforward.is_some(),
             counts_turns: axis.control.is_spindle && in_drive,
             v_largest: spindle::design::v_largest(axis),
-            largest_v_add: axis.ipc.limit(),
+            largest_v_add: designed.ipc.limit,
             master_limit: limit,
             master_lower_limit: 0.0 - limit, // not `-limit`: 0 stays +0
             feedforward: reference::feedforward::Coeffs { call_rate: uncounted, ..designed.feedforward },
