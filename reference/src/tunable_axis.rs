@@ -81,12 +81,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     let mut axis_outputs = axis::Outputs::<R>::default();
     // The watch stays tripped until the caller's own mode is not ON.
     ipc::rearm(&mut state.axis.ipc, &coeffs.axis.ipc, inputs.mode, inputs.reset);
-    axis::go_on(
-        &mut state.axis,
-        &with_numbers(&coeffs.axis, &state.sets.now.axis),
-        &axis_inputs,
-        &mut axis_outputs,
-    );
+    axis::go_on(&mut state.axis, &with_numbers(&coeffs.axis, &state.sets.now.axis), &axis_inputs, &mut axis_outputs);
     put_out(state.sets.set_id, &axis_outputs, verdict.refused, outputs);
 }
 

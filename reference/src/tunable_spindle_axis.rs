@@ -60,7 +60,12 @@ pub fn hand_over<R: Real>(inputs: &Inputs<R>, mode: i32, spindle_inputs: &mut sp
 
 /// Writes the outputs of the cycle; `refused`: the reason if an offered set is refused, which is a fault while no set is in use.
 #[portable]
-pub fn put_out<R: Real>(set_id: u32, spindle_outputs: &spindle_axis::Outputs<R>, refused: u32, outputs: &mut Outputs<R>) {
+pub fn put_out<R: Real>(
+    set_id: u32,
+    spindle_outputs: &spindle_axis::Outputs<R>,
+    refused: u32,
+    outputs: &mut Outputs<R>,
+) {
     copy!(outputs = spindle_outputs:
         x_spindle, v_spindle, job_speed, job_position, v_command, v_feedforward, v_add, v_add_calculated, x_drive,
         spindle_state, job, job_number, waiting, operation_mode, velocity_command, manipulated_variable,

@@ -3,8 +3,8 @@
 use crate::design::inputs;
 use crate::design::poles::Prototype;
 use crate::ipc::STAGES;
-use crate::stage::FILTERS;
 use crate::sets;
+use crate::stage::FILTERS;
 use portable::portable;
 
 /// The prototypes of the filters of a stage.

@@ -13,8 +13,8 @@ use crate::design::{allpass, bandpass, limit as limits, narrow, oscillation};
 use crate::filter::{MAX_ORDER, Type};
 use crate::ipc::{STAGES, numbers, simulates, watch};
 use crate::precision::is_single;
-use crate::stage::{self, FILTERS};
 use crate::sets::check;
+use crate::stage::{self, FILTERS};
 use portable::{Real, in_range, note, portable};
 
 /// smallest limit of v_add other than 0, 2^-20, so that single precision and the check word have all digits [um/s or 0.001 deg/s]

@@ -84,7 +84,12 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         note("the fast path: the offered set is in use, the mode is ON, and the fade is full");
         let mut ipc_outputs = ipc::Outputs::<R>::default();
         call_rate::go_on(&mut state.ipc.call_rate, &coeffs.ipc.call_rate, inputs.cycle_counter);
-        ipc::act_in_full(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.sets.now.axis.ipc), &ipc_inputs, &mut ipc_outputs);
+        ipc::act_in_full(
+            &mut state.ipc,
+            &with_numbers(&coeffs.ipc, &state.sets.now.axis.ipc),
+            &ipc_inputs,
+            &mut ipc_outputs,
+        );
         ipc::tell_trip(&state.ipc, &coeffs.ipc, &mut ipc_outputs);
         sets::hold_limit(&mut state.ipc, &coeffs.ipc, coeffs.ipc.limit, &mut ipc_outputs);
         put_out(state.sets.acting_set, &ipc_outputs, error_none(), outputs);

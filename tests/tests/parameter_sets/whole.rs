@@ -37,7 +37,11 @@ fn a_set_in_use_acts_like_constants() {
     assert!(cases.len() >= 6);
     for case in cases {
         let taken = compared(&case);
-        assert!(taken[0] > 0 && taken[1] > taken[0], "{}: the sets were in use from the cycles {taken:?} on", cases::title(&case));
+        assert!(
+            taken[0] > 0 && taken[1] > taken[0],
+            "{}: the sets were in use from the cycles {taken:?} on",
+            cases::title(&case)
+        );
     }
 }
 
@@ -96,7 +100,16 @@ fn compared(case: &Case) -> [usize; 2] {
             let leaves = n == 0 && cycle >= left && mode == 1.0;
             // An invalid mode stays a fault.
             let is_mode = [0.0, 1.0, 2.0].contains(&mode);
-            of.set("mode", if is_mode && !is_in_use { 0.0 } else if leaves { 2.0 } else { mode });
+            of.set(
+                "mode",
+                if is_mode && !is_in_use {
+                    0.0
+                } else if leaves {
+                    2.0
+                } else {
+                    mode
+                },
+            );
             of.step();
             if is_in_use && taken[n] == 0 {
                 taken[n] = cycle;

@@ -117,10 +117,10 @@ pub(super) fn listing(axis: &BlockIdentity, block: &TargetBlock<'_>, dialect: &D
         name: name(&axis.name, block.program.block, dialect),
         quote: dialect.quote,
         inputs: outline.inputs(),
-        set: block
-            .program
-            .has_set()
-            .then(|| SetType { name: set_name(&axis.name), parts: if block.block.shares_set() { Vec::new() } else { outline.set() } }),
+        set: block.program.has_set().then(|| SetType {
+            name: set_name(&axis.name),
+            parts: if block.block.shares_set() { Vec::new() } else { outline.set() },
+        }),
         outputs: outline.outputs([made(axis, dialect), String::new()]),
         state: outline.state(outline.parts_of_state(), |of, length| Member {
             ty: format!("ARRAY[0..{}] OF {}", length - 1, of.ty).into(),
