@@ -1,11 +1,9 @@
 //! The whole axis with parameter sets: the block `axis` of an axis with `tunable = "all"` or `"parameters"`. The cycle is that of
 //! [`crate::axis`]; [`crate::sets`] says which set is in use.
 
-#![expect(clippy::field_reassign_with_default, reason = "portable Rust makes a struct by its default alone")]
-
 use crate::ipc::STAGES;
 use crate::ipc::numbers::Params;
-use crate::sets::{self, Verdict};
+use crate::sets;
 use crate::signal::error_none;
 use crate::{axis, ipc};
 use portable::{Block, Enable, Real, copy, portable, with_numbers};
@@ -35,7 +33,7 @@ pub struct Coeffs<R> {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// the set in use, and the one that is offered
-    pub sets: sets::State<R>,
+    pub own: sets::State<R>,
     /// the cycle
     pub axis: axis::State<R>,
 }
@@ -43,7 +41,7 @@ pub struct State<R> {
 /// Before the first cycle: no set is in use.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
-    sets::drop_set(&mut state.sets);
+    sets::drop_set(&mut state.own);
     axis::init(&mut state.axis);
 }
 
@@ -72,17 +70,21 @@ pub fn put_out<R: Real>(set_id: u32, axis_outputs: &axis::Outputs<R>, refused: u
 /// One cycle. The position control does not depend on the set.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let mut verdict = Verdict::default();
-    verdict.mode = inputs.mode;
-    sets::compare_one(&mut state.sets, &mut state.axis.ipc, &coeffs.sets);
-    sets::prepare(&mut state.sets, &mut state.axis.ipc, &coeffs.sets, &inputs.params, &mut verdict);
+    sets::compare_one(&mut state.own, &mut state.axis.ipc, &coeffs.sets);
+    let refused = sets::prepare(&mut state.own, &mut state.axis.ipc, &coeffs.sets, &inputs.params);
+    let mode = sets::acting_mode(&state.own, inputs.mode);
     let mut axis_inputs = axis::Inputs::<R>::default();
-    hand_over(inputs, verdict.mode, &mut axis_inputs);
+    hand_over(inputs, mode, &mut axis_inputs);
     let mut axis_outputs = axis::Outputs::<R>::default();
     // The watch stays tripped until the caller's own mode is not ON.
     ipc::rearm(&mut state.axis.ipc, &coeffs.axis.ipc, inputs.mode, inputs.reset);
-    axis::go_on(&mut state.axis, &with_numbers(&coeffs.axis, &state.sets.now.axis), &axis_inputs, &mut axis_outputs);
-    put_out(state.sets.set_id, &axis_outputs, verdict.refused, outputs);
+    axis::go_on(
+        &mut state.axis,
+        &axis::Coeffs { ipc: with_numbers(&coeffs.axis.ipc, &state.own.now), ..coeffs.axis },
+        &axis_inputs,
+        &mut axis_outputs,
+    );
+    put_out(state.own.set_id, &axis_outputs, refused, outputs);
 }
 
 /// The block.

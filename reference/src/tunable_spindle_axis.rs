@@ -1,14 +1,12 @@
 //! The whole axis of a spindle with parameter sets: the block `spindle_axis` of an axis with `tunable = "all"` or `"parameters"`. The
 //! cycle is that of [`crate::spindle_axis`]; [`crate::sets`] says which set is in use.
 
-#![expect(clippy::field_reassign_with_default, reason = "portable Rust makes a struct by its default alone")]
-
 use crate::ipc::STAGES;
 use crate::ipc::numbers::Params;
-use crate::sets::{self, Verdict};
+use crate::sets;
 use crate::signal::error_none;
 use crate::spindle::{Job, SpindleState};
-use crate::{ipc, spindle, spindle_axis};
+use crate::{axis, ipc, spindle, spindle_axis};
 use portable::{Block, Enable, Real, copy, portable, with_numbers};
 
 spindle_axis::inputs! {
@@ -36,7 +34,7 @@ pub struct Coeffs<R> {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// the set in use, and the one that is offered
-    pub sets: sets::State<R>,
+    pub own: sets::State<R>,
     /// the cycle
     pub spindle_axis: spindle_axis::State<R>,
 }
@@ -44,7 +42,7 @@ pub struct State<R> {
 /// Before the first cycle: no set is in use.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
-    sets::drop_set(&mut state.sets);
+    sets::drop_set(&mut state.own);
     spindle_axis::init(&mut state.spindle_axis);
 }
 
@@ -80,22 +78,27 @@ pub fn put_out<R: Real>(
 /// One cycle. Changeover and position control do not depend on the set.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let mut verdict = Verdict::default();
-    verdict.mode = inputs.mode;
-    sets::compare_one(&mut state.sets, &mut state.spindle_axis.axis.ipc, &coeffs.sets);
-    sets::prepare(&mut state.sets, &mut state.spindle_axis.axis.ipc, &coeffs.sets, &inputs.params, &mut verdict);
+    sets::compare_one(&mut state.own, &mut state.spindle_axis.axis.ipc, &coeffs.sets);
+    let refused = sets::prepare(&mut state.own, &mut state.spindle_axis.axis.ipc, &coeffs.sets, &inputs.params);
+    let mode = sets::acting_mode(&state.own, inputs.mode);
     let mut spindle_inputs = spindle_axis::Inputs::<R>::default();
-    hand_over(inputs, verdict.mode, &mut spindle_inputs);
+    hand_over(inputs, mode, &mut spindle_inputs);
     let mut spindle_outputs = spindle_axis::Outputs::<R>::default();
     // The watch stays tripped until the caller's own mode is not ON.
     ipc::rearm(&mut state.spindle_axis.axis.ipc, &coeffs.spindle_axis.axis.ipc, inputs.mode, inputs.reset);
     spindle_axis::go_on(
         &mut state.spindle_axis,
-        &with_numbers(&coeffs.spindle_axis, &state.sets.now),
+        &spindle_axis::Coeffs {
+            axis: axis::Coeffs {
+                ipc: with_numbers(&coeffs.spindle_axis.axis.ipc, &state.own.now),
+                ..coeffs.spindle_axis.axis
+            },
+            ..coeffs.spindle_axis
+        },
         &spindle_inputs,
         &mut spindle_outputs,
     );
-    put_out(state.sets.set_id, &spindle_outputs, verdict.refused, outputs);
+    put_out(state.own.set_id, &spindle_outputs, refused, outputs);
 }
 
 /// The block.

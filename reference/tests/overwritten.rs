@@ -12,7 +12,7 @@ fn each_limit_is_compared_with_its_copy() {
     let mut sound = sets::State::<f64> { set_id: 1, ..Default::default() };
     let of = &mut sound.copy;
     (of.limit, of.lower_limit, of.sum_limit, of.watch.quiet) = (10.0, -10.0, 100.0, 0.2);
-    sound.now.axis.ipc = sound.copy;
+    sound.now = sound.copy;
     for turn in 0..4 {
         let mut state = sets::State { turn, ..sound };
         let mut ipc_state = ipc::State::<f64>::default();
@@ -20,10 +20,10 @@ fn each_limit_is_compared_with_its_copy() {
         assert_eq!((state.turn, ipc_state.fade), (turn + 1, 0));
         state.turn = turn;
         match turn {
-            0 => state.now.axis.ipc.limit = 11.0,
-            1 => state.now.axis.ipc.lower_limit = 10.0,
-            2 => state.now.axis.ipc.sum_limit = f64::NAN,
-            _ => state.now.axis.ipc.watch.quiet = 0.0,
+            0 => state.now.limit = 11.0,
+            1 => state.now.lower_limit = 10.0,
+            2 => state.now.sum_limit = f64::NAN,
+            _ => state.now.watch.quiet = 0.0,
         }
         sets::compare_one(&mut state, &mut ipc_state, &coeffs);
         assert_eq!((state.turn, ipc_state.fade), (0, 1), "turn {turn}: the fade is beyond its end");

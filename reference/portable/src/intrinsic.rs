@@ -73,7 +73,7 @@ pub fn with_numbers<T: Portable, N: Portable>(structure: &T, numbers: &N) -> T {
 }
 
 /// The most scalars that [`with_numbers`] takes: the crate has no vectors, because it does not use the standard library.
-const LARGEST: usize = 1024;
+const LARGEST: usize = 256;
 
 fn scalars<T: Portable>(value: &T, scalars: &mut [Option<Literal>; LARGEST]) {
     let mut next = 0;

@@ -220,12 +220,14 @@ pub enum Argument {
         /// the place
         place: Place,
     },
-    /// `&with_numbers(&structure, &numbers)`: a struct whose scalars are replaced by those that another struct has at the
-    /// same paths
+    /// `&with_numbers(&part, &numbers)`: a struct whose scalars are replaced by those that another struct has at the same
+    /// paths; `&Type { field: with_numbers(&place.field, &numbers), ..place }`: the same within a struct
     Numbers {
-        /// the struct
+        /// the whole struct
         structure: Place,
-        /// some of its scalars, at the same paths
+        /// the struct within it that gets the scalars, or itself
+        part: Place,
+        /// some scalars of the part, at the same paths
         numbers: Place,
     },
 }

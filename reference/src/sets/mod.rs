@@ -44,23 +44,6 @@ pub struct Coeffs<R> {
     pub ipc: ipc::Coeffs<R>,
 }
 
-/// Numbers at the place of improved position control in an axis.
-#[portable]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct OfAxis<R> {
-    /// those of improved position control
-    pub ipc: Numbers<R>,
-}
-
-/// Numbers at the place of improved position control in the axis of a spindle: `with_numbers` finds them there in the coefficients
-/// of every block.
-#[portable]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct InUse<R> {
-    /// those of the axis
-    pub axis: OfAxis<R>,
-}
-
 /// State, without that of improved position control.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
@@ -80,7 +63,7 @@ pub struct State<R> {
     /// number of the last set that was refused
     pub refused_set: u32,
     /// the numbers of the set in use
-    pub now: InUse<R>,
+    pub now: Numbers<R>,
     /// copy of the numbers in use
     pub copy: Numbers<R>,
     /// cycle in the round of comparisons, from 0 on: it selects the number to compare with its copy
@@ -89,16 +72,6 @@ pub struct State<R> {
     pub picked: Picked<R>,
     /// the check of an offered set, or of the numbers that were copied
     pub check: check::State<R>,
-}
-
-/// What an offered set means for a cycle.
-#[portable]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Verdict {
-    /// the mode in which improved position control runs
-    pub mode: i32,
-    /// the reason if the offered set is refused
-    pub refused: u32,
 }
 
 /// Length of a round of comparisons, as a multiple of the cycles that all comparisons take. In the others nothing is compared,
@@ -134,8 +107,8 @@ pub fn copy_offered<R: Real>(
     params: &Params<R>,
 ) {
     note("the offered set is copied; it is in use as soon as the copy has been checked");
-    numbers::read(&mut state.now.axis.ipc, &coeffs.ipc, params);
-    numbers::take(&mut state.copy, &coeffs.ipc, &state.now.axis.ipc);
+    numbers::read(&mut state.now, &coeffs.ipc, params);
+    numbers::take(&mut state.copy, &coeffs.ipc, &state.now);
     state.copied_set = state.offered_set;
     state.check.set_id = 0u32;
     state.set_id = 0u32;
@@ -256,7 +229,7 @@ pub fn compare_one<R: Real>(state: &mut State<R>, ipc_state: &mut ipc::State<R>,
     let numbers = check::length(coeffs);
     if state.turn < numbers {
         note("one number in use is compared with its copy in each cycle");
-        numbers::pick(&mut state.picked, state.turn, &coeffs.ipc, &state.now.axis.ipc, &state.copy);
+        numbers::pick(&mut state.picked, state.turn, &coeffs.ipc, &state.now, &state.copy);
         if state.set_id != 0u32 {
             if in_range(state.picked.number - state.picked.copy, R::ZERO) {
                 state.turn += 1u32;
@@ -276,31 +249,38 @@ pub fn compare_one<R: Real>(state: &mut State<R>, ipc_state: &mut ipc::State<R>,
     }
 }
 
-/// Handles the offered set before a cycle, and tells in which mode improved position control runs: in OFF while no set is in use,
-/// and at most in DRYRUN while the block fades out for another set.
+/// Handles the offered set before a cycle. Returns the reason if it is refused.
 #[portable]
 pub fn prepare<R: Real>(
     state: &mut State<R>,
     ipc_state: &mut ipc::State<R>,
     coeffs: &Coeffs<R>,
     params: &Params<R>,
-    verdict: &mut Verdict,
-) {
+) -> u32 {
+    let mut reason = error_none();
     state.offered_set = params.set_id;
     if ipc_state.fade > coeffs.ipc.fade_cycles {
         // The numbers in use may be corrupted, too. This cycle reports the fault; the next one checks the offered set.
         drop_set(state);
     } else if state.offered_set != state.acting_set || state.acting_set == 0u32 {
-        verdict.refused = offer(state, ipc_state, coeffs, params);
-        if state.set_id == 0u32 && ipc::is_mode(verdict.mode) {
-            // No set is in use.
-            verdict.mode = ipc::mode_off();
-        } else if state.acting_set == 0u32 && verdict.mode == ipc::mode_on() {
-            verdict.mode = ipc::mode_dryrun();
-        }
+        reason = offer(state, ipc_state, coeffs, params);
     } else {
         state.set_id = state.acting_set;
     }
+    reason
+}
+
+/// The mode in which improved position control runs in this cycle: OFF while no set is in use, and at most DRYRUN while the block
+/// fades out for another set.
+#[portable]
+pub fn acting_mode<R: Real>(state: &State<R>, mode: i32) -> i32 {
+    let mut mode_now = mode;
+    if state.set_id == 0u32 && ipc::is_mode(mode) {
+        mode_now = ipc::mode_off();
+    } else if state.acting_set == 0u32 && mode == ipc::mode_on() {
+        mode_now = ipc::mode_dryrun();
+    }
+    mode_now
 }
 
 /// Enforces `largest`, the limit that the block was generated with, even if the numbers in use were corrupted.

@@ -1,8 +1,6 @@
 //! Improved position control whose numbers come from parameter sets: the block `ipc` of an axis with `tunable = "all"`. The cycle is
 //! that of [`crate::ipc`]; [`crate::sets`] says which set is in use.
 
-#![expect(clippy::field_reassign_with_default, reason = "portable Rust makes a struct by its default alone")]
-
 mod signals;
 
 pub use crate::sets::Coeffs;
@@ -10,7 +8,7 @@ pub use signals::{Inputs, Outputs};
 
 use crate::call_rate;
 use crate::ipc;
-use crate::sets::{self, Verdict};
+use crate::sets;
 use crate::signal::error_none;
 use portable::{Block, Enable, Off, Real, copy, note, portable, with_numbers};
 
@@ -19,7 +17,7 @@ use portable::{Block, Enable, Off, Real, copy, note, portable, with_numbers};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// the set in use, and the one that is offered
-    pub sets: sets::State<R>,
+    pub own: sets::State<R>,
     /// the cycle
     pub ipc: ipc::State<R>,
 }
@@ -27,7 +25,7 @@ pub struct State<R> {
 /// Before the first cycle: no set is in use.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
-    sets::drop_set(&mut state.sets);
+    sets::drop_set(&mut state.own);
     ipc::init(&mut state.ipc);
 }
 
@@ -53,28 +51,27 @@ pub fn put_out<R: Real>(set_id: u32, ipc_outputs: &ipc::Outputs<R>, refused: u32
 /// Any cycle.
 #[portable]
 pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let mut verdict = Verdict::default();
-    verdict.mode = inputs.mode;
     ipc::count_call(&mut state.ipc, &coeffs.ipc, inputs.cycle_counter);
-    sets::prepare(&mut state.sets, &mut state.ipc, coeffs, &inputs.params, &mut verdict);
+    let refused = sets::prepare(&mut state.own, &mut state.ipc, coeffs, &inputs.params);
+    let mode = sets::acting_mode(&state.own, inputs.mode);
     let mut ipc_inputs = ipc::Inputs::<R>::default();
-    hand_over(inputs, verdict.mode, &mut ipc_inputs);
+    hand_over(inputs, mode, &mut ipc_inputs);
     let mut ipc_outputs = ipc::Outputs::<R>::default();
     // The watch stays tripped until the caller's own mode is not ON.
     ipc::rearm(&mut state.ipc, &coeffs.ipc, inputs.mode, inputs.reset);
-    ipc::go_on(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.sets.now.axis.ipc), &ipc_inputs, &mut ipc_outputs);
+    ipc::go_on(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.own.now), &ipc_inputs, &mut ipc_outputs);
     sets::hold_limit(&mut state.ipc, &coeffs.ipc, coeffs.ipc.limit, &mut ipc_outputs);
-    put_out(state.sets.set_id, &ipc_outputs, verdict.refused, outputs);
+    put_out(state.own.set_id, &ipc_outputs, refused, outputs);
 }
 
 /// One cycle. It starts with the fast path: the set in use is the offered one, and only the sections change. It has the same
 /// result as `any_cycle`, with fewer conditions.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    sets::compare_one(&mut state.sets, &mut state.ipc, coeffs);
+    sets::compare_one(&mut state.own, &mut state.ipc, coeffs);
     let mut ipc_inputs = ipc::Inputs::<R>::default();
     hand_over(inputs, inputs.mode, &mut ipc_inputs);
-    if inputs.params.set_id == state.sets.acting_set
+    if inputs.params.set_id == state.own.acting_set
         && ipc::may_act_in_full(&coeffs.ipc, &ipc_inputs)
         && call_rate::is_usual(&state.ipc.call_rate, &coeffs.ipc.call_rate, inputs.cycle_counter)
         && state.ipc.fade == coeffs.ipc.fade_cycles
@@ -84,15 +81,10 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         note("the fast path: the offered set is in use, the mode is ON, and the fade is full");
         let mut ipc_outputs = ipc::Outputs::<R>::default();
         call_rate::go_on(&mut state.ipc.call_rate, &coeffs.ipc.call_rate, inputs.cycle_counter);
-        ipc::act_in_full(
-            &mut state.ipc,
-            &with_numbers(&coeffs.ipc, &state.sets.now.axis.ipc),
-            &ipc_inputs,
-            &mut ipc_outputs,
-        );
+        ipc::act_in_full(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.own.now), &ipc_inputs, &mut ipc_outputs);
         ipc::tell_trip(&state.ipc, &coeffs.ipc, &mut ipc_outputs);
         sets::hold_limit(&mut state.ipc, &coeffs.ipc, coeffs.ipc.limit, &mut ipc_outputs);
-        put_out(state.sets.acting_set, &ipc_outputs, error_none(), outputs);
+        put_out(state.own.acting_set, &ipc_outputs, error_none(), outputs);
     } else {
         note("any other cycle: an offered set, the start, a fade, a fault");
         any_cycle(state, coeffs, inputs, outputs);

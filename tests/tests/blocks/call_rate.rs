@@ -139,7 +139,7 @@ fn a_pause_hides_no_fault() {
         }
         block.state.ipc.stage[0].filter[0].section[0].s1 = 1e30;
         block.inputs.cycle_counter += 1;
-        assert_eq!((block.call().v_add, block.state.sets.set_id != 0), (0.0, true));
+        assert_eq!((block.call().v_add, block.state.own.set_id != 0), (0.0, true));
         block.inputs.cycle_counter += more;
         let outputs = block.call();
         assert_eq!((outputs.fault, outputs.error_id, outputs.active_set), (true, 3, 0), "{more} cycles later");
@@ -245,7 +245,7 @@ fn usual_calls_are_like_any() {
             assert_eq!(leaves(&tuned.call()), leaves(&outputs), "seed {seed}, cycle {cycle}");
             assert_eq!(leaves(&tuned.state), leaves(&state), "seed {seed}, cycle {cycle}");
             let (mut state, mut outputs) = (sets.state, <tunable_ipc::TunableIpc as Block<f64>>::outputs());
-            sets::compare_one(&mut state.sets, &mut state.ipc, &sets.coeffs);
+            sets::compare_one(&mut state.own, &mut state.ipc, &sets.coeffs);
             tunable_ipc::any_cycle(&mut state, &sets.coeffs, &sets.inputs, &mut outputs);
             assert_eq!(leaves(&sets.call()), leaves(&outputs), "seed {seed}, cycle {cycle}");
             assert_eq!(leaves(&sets.state), leaves(&state), "seed {seed}, cycle {cycle}");

@@ -178,12 +178,12 @@ impl<'b> Bench<'b> {
     /// Whether a value is a number in use, or its copy.
     fn is_compared(&self, at: usize) -> bool {
         let path = &self.program.state[at].path;
-        path.starts_with("sets.now.") || path.starts_with("sets.copy.")
+        path.starts_with("now.") || path.starts_with("copy.")
     }
 
     /// The cycles within which a number in use that differs from its copy is reported: 4 N + 3 with N numbers.
     pub fn stated(&self) -> usize {
-        let numbers = self.program.state.iter().filter(|variable| variable.path.starts_with("sets.now.")).count();
+        let numbers = self.program.state.iter().filter(|variable| variable.path.starts_with("now.")).count();
         4 * numbers + 3
     }
 

@@ -406,8 +406,8 @@ fn behind_a_fault_of_the_state_a_refused_set_leaves_none_in_use() {
         match cycle {
             500 => inputs.params.structure += 1,
             600 => inputs.params.set_id += 1,
-            1000 => state.sets.now.axis.ipc.limit = 1e12,
-            1001 => state.sets.now.axis.ipc.stage[0].gain = f64::NAN,
+            1000 => state.own.now.limit = 1e12,
+            1001 => state.own.now.stage[0].gain = f64::NAN,
             1500 => inputs.params = whole,
             _ => {}
         }
@@ -438,7 +438,7 @@ fn numbers_that_were_overwritten_are_taken_over_anew() {
     for cycle in 0..20_000 {
         inputs.v_motor = 1000.0 * (f64::from(cycle) * 0.3).sin();
         if cycle == 1000 {
-            state.sets.now.axis.ipc.stage[0].filter[0].bandpass[0].a2 = 3.0;
+            state.own.now.stage[0].filter[0].bandpass[0].a2 = 3.0;
         }
         tunable_ipc::step(&mut state, &coeffs, &inputs, &mut outputs);
         tunable_ipc::step(&mut sound, &coeffs, &inputs, &mut expected);

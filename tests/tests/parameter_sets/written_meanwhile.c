@@ -47,7 +47,7 @@ int main(void)
     inputs.mode = 0;
     pthread_create(&thread, 0, writer, 0);
     for (long cycle = 0; cycle < 200000000L && taken < CHANGESu; cycle++) {
-        state.sets_pause = 0;
+        state.pause = 0;
         axis_x_ipc_step(&state, &inputs, &outputs);
         if (outputs.active_set != before && outputs.active_set != 0) {
             taken++;

@@ -35,7 +35,7 @@ fn a_set_that_is_written_meanwhile_is_taken_over_whole_or_not_at_all() {
     let copied =
         |from: &str| members.iter().map(|name| format!("        shared.{name} = {from}.{name};\n")).collect::<String>();
     // Structure and number stand before the numbers.
-    let is_kept = |(at, name): (usize, &String)| format!("        && state.sets_now_axis_ipc[{at}] == of->{name}\n");
+    let is_kept = |(at, name): (usize, &String)| format!("        && state.now[{at}] == of->{name}\n");
     let kept: String = members[2..].iter().enumerate().map(is_kept).collect();
     let driver = include_str!("written_meanwhile.c")
         .replace("VALUES", &values)

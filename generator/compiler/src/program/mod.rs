@@ -151,6 +151,17 @@ pub(crate) fn push_number(text: &mut String, number: usize) {
     text.push(char::from(b"0123456789"[number % 10]));
 }
 
+/// A field whose parts have the names of the struct's own fields.
+const OWN: &str = "own";
+
+/// Appends the name of a field to a path.
+pub(crate) fn push_field(path: &mut String, name: &str) {
+    if name != OWN {
+        path.push_str(if path.is_empty() { "" } else { "." });
+        path.push_str(name);
+    }
+}
+
 /// Appends an index in brackets to a path.
 pub(crate) fn push_index(path: &mut String, index: usize) {
     path.push('[');

@@ -28,7 +28,7 @@ impl Specialiser<'_> {
                     let is_changed = param.mode == Mode::Mutable && part.cell().is_none();
                     (part, if is_changed { self.path(place) } else { None })
                 }
-                Argument::Numbers { structure, numbers } => (self.with_numbers(structure, numbers), None),
+                Argument::Numbers { structure, part, numbers } => (self.with_numbers([structure, part, numbers]), None),
                 Argument::Value { .. } => {
                     let value = self.value_argument(argument, function);
                     (self.bind(param.name, value), None)
@@ -77,11 +77,12 @@ impl Specialiser<'_> {
         }
     }
 
-    /// A struct whose scalars are replaced by those that another struct has, too.
-    fn with_numbers(&mut self, structure: &'static Place, numbers: &'static Place) -> Part {
-        let (structure, numbers) = (self.place(structure), self.place(numbers));
+    /// A struct in whose part the scalars are replaced by those that another struct has, too.
+    fn with_numbers(&mut self, places: [&'static Place; 3]) -> Part {
+        let [structure, part, numbers] = places.map(|place| self.place(place));
         let mut cells = self.cells[structure.first..structure.first + structure.ty.leaves()].to_vec();
-        overlaid(&structure.ty, &numbers.ty, &mut |at, from| cells[at] = self.cells[numbers.first + from]);
+        let first = part.first - structure.first;
+        overlaid(&part.ty, &numbers.ty, &mut |at, from| cells[first + at] = self.cells[numbers.first + from]);
         self.enter(structure.ty, cells.into_iter())
     }
 

@@ -3,7 +3,7 @@
 use super::Specialiser;
 use super::part::{Cell, Named, Part};
 use crate::arithmetic;
-use crate::program::{Expr, push_index};
+use crate::program::{Expr, push_field, push_index};
 use portable::{Binary, Literal, Projection};
 use std::rc::Rc;
 
@@ -65,10 +65,7 @@ impl Specialiser<'_> {
         let mut path = root.to_string();
         for projection in place.projections {
             match projection {
-                Projection::Field { name } => {
-                    path.push_str(if path.is_empty() { "" } else { "." });
-                    path.push_str(name);
-                }
+                Projection::Field { name } => push_field(&mut path, name),
                 Projection::Index { index } => push_index(&mut path, self.known_index(index)),
             }
         }

@@ -1,6 +1,6 @@
 //! The cells of a Rust name while specialising: consecutive cells, in the order of the type's scalars. No evaluation here.
 
-use crate::program::{Var, push_index};
+use crate::program::{Var, push_field, push_index};
 use portable::{Literal, Ty};
 use std::rc::Rc;
 
@@ -91,8 +91,7 @@ impl Leaf {
                 Ty::Struct { def } => {
                     let after = def.fields.partition_point(|field| field.first <= position);
                     let field = &def.fields[after - 1];
-                    leaf.path.push_str(if leaf.path.is_empty() { "" } else { "." });
-                    leaf.path.push_str(field.name);
+                    push_field(&mut leaf.path, field.name);
                     position -= field.first;
                     (leaf.ty, leaf.field) = (field.ty, Some((field.name, field.doc)));
                 }
@@ -116,8 +115,7 @@ impl Leaf {
         match ty {
             Ty::Struct { def } => {
                 for field in def.fields {
-                    self.path.push_str(if length == 0 { "" } else { "." });
-                    self.path.push_str(field.name);
+                    push_field(&mut self.path, field.name);
                     (self.ty, self.field) = (field.ty, Some((field.name, field.doc)));
                     self.inside(visit);
                     self.path.truncate(length);

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  f99d0035b14e3a1cfda0d754b0d06f76
- * structure   a9eb0ba8a749043bcbe219a21f0671fa
- * checksum    937023581cecba59f5ec64e711b1ca0e
+ * structure   538c87194d38328c8c008a0d7a3347e4
+ * checksum    6297400fc8ca96d3d8e7e90668ae94c0
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
@@ -92,31 +92,31 @@ AXGEN_CODE_SECTION void axis_x_axis_init(axis_x_axis_state *fresh)
 {
     /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_x_axis_state *const state = fresh;
-    state->sets_set_id = 0u;
-    state->sets_acting_set = 0u;
-    state->sets_offered_set = 0u;
-    state->sets_copied_set = 0u;
-    state->sets_pause = 0u;
-    state->sets_refused = 0u;
-    state->sets_refused_set = 0u;
+    state->set_id = 0u;
+    state->acting_set = 0u;
+    state->offered_set = 0u;
+    state->copied_set = 0u;
+    state->pause = 0u;
+    state->refused = 0u;
+    state->refused_set = 0u;
     for (uint32_t index = 0u; index < 7u; ++index) {
-        state->sets_now_axis_ipc[index] = 0.0;
-        state->sets_copy[index] = 0.0;
+        state->now[index] = 0.0;
+        state->copy[index] = 0.0;
     }
-    state->sets_turn = 0u;
-    state->sets_picked_number = 0.0;
-    state->sets_picked_copy = 0.0;
-    state->sets_check_set_id = 0u;
-    state->sets_check_turn = 0u;
-    state->sets_check_picked_number = 0.0;
-    state->sets_check_picked_role = 0;
-    state->sets_check_before = 0.0;
-    state->sets_check_two_before = 0.0;
-    state->sets_check_forming_first = 0;
-    state->sets_check_forming_second = 0;
-    state->sets_check_forming_pieces = 0u;
-    state->sets_check_forming_rest = 0.0;
-    state->sets_check_forming_is_covering = false;
+    state->turn = 0u;
+    state->picked_number = 0.0;
+    state->picked_copy = 0.0;
+    state->check_set_id = 0u;
+    state->check_turn = 0u;
+    state->check_picked_number = 0.0;
+    state->check_picked_role = 0;
+    state->check_before = 0.0;
+    state->check_two_before = 0.0;
+    state->check_forming_first = 0;
+    state->check_forming_second = 0;
+    state->check_forming_pieces = 0u;
+    state->check_forming_rest = 0.0;
+    state->check_forming_is_covering = false;
     state->axis_ipc_preset = false;
     state->axis_ipc_fade = 0u;
     state->axis_ipc_stage0_filter0_section0_s1 = 0.0;
@@ -204,313 +204,302 @@ AXGEN_CODE_SECTION void axis_x_axis_step(
     /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
     static const double anti_denormal = 1.0e-30;
 
-    state->sets_offered_set = inputs->params->set_id;
-    if (state->sets_turn < 7u) {
+    state->offered_set = inputs->params->set_id;
+    if (state->turn < 7u) {
         /* one number in use is compared with its copy in each cycle */
-        const uint32_t sets_turn = state->sets_turn;
-        state->sets_picked_number = state->sets_now_axis_ipc[sets_turn];
-        state->sets_picked_copy = state->sets_copy[sets_turn];
-        if (state->sets_set_id != 0u) {
-            if (axis_x_axis_is_zero(state->sets_picked_number - state->sets_picked_copy)) {
-                state->sets_turn = state->sets_turn + 1u;
+        const uint32_t turn = state->turn;
+        state->picked_number = state->now[turn];
+        state->picked_copy = state->copy[turn];
+        if (state->set_id != 0u) {
+            if (axis_x_axis_is_zero(state->picked_number - state->picked_copy)) {
+                state->turn = state->turn + 1u;
             } else {
                 /* a number in use was corrupted: this cycle reports it, then the block takes the offered set over
                  * again */
-                state->sets_turn = 0u;
+                state->turn = 0u;
                 state->axis_ipc_fade = sets_ipc_fade_cycles + 1u;
             }
         }
-    } else if (state->sets_turn < 28u) {
+    } else if (state->turn < 28u) {
         /* every number has been compared; the rest of the round is a pause */
-        state->sets_turn = state->sets_turn + 1u;
+        state->turn = state->turn + 1u;
     } else {
-        state->sets_turn = 0u;
+        state->turn = 0u;
     }
-    int32_t sets_mode;
-    uint32_t sets_verdict_refused;
+    uint32_t reason;
     if (state->axis_ipc_fade > sets_ipc_fade_cycles) {
-        state->sets_set_id = 0u;
-        state->sets_acting_set = 0u;
-        state->sets_copied_set = 0u;
-        state->sets_pause = 0u;
-        state->sets_check_set_id = 0u;
-        sets_mode = inputs->mode;
-        sets_verdict_refused = 0u;
-    } else if (state->sets_offered_set != state->sets_acting_set || state->sets_acting_set == 0u) {
-        const bool sets_must_wait =
-            state->sets_pause > 0u && state->sets_pause <= sets_ipc_fade_cycles
-                && state->sets_offered_set == state->sets_refused_set
-                && state->sets_refused >= AXIS_X_AXIS_ERROR_SET_STRUCTURE
-                && state->sets_refused <= AXIS_X_AXIS_ERROR_SET_DAMAGED;
-        const bool sets_leaves = state->axis_ipc_fade > 0u && state->sets_acting_set == 0u;
-        if (state->sets_offered_set == state->sets_set_id && state->sets_set_id != 0u) {
-            state->sets_acting_set = state->sets_set_id;
-            state->sets_check_set_id = 0u;
-            sets_verdict_refused = AXIS_X_AXIS_ERROR_NONE;
+        state->set_id = 0u;
+        state->acting_set = 0u;
+        state->copied_set = 0u;
+        state->pause = 0u;
+        state->check_set_id = 0u;
+        reason = AXIS_X_AXIS_ERROR_NONE;
+    } else if (state->offered_set != state->acting_set || state->acting_set == 0u) {
+        const bool must_wait =
+            state->pause > 0u && state->pause <= sets_ipc_fade_cycles
+                && state->offered_set == state->refused_set && state->refused >= AXIS_X_AXIS_ERROR_SET_STRUCTURE
+                && state->refused <= AXIS_X_AXIS_ERROR_SET_DAMAGED;
+        const bool leaves = state->axis_ipc_fade > 0u && state->acting_set == 0u;
+        if (state->offered_set == state->set_id && state->set_id != 0u) {
+            state->acting_set = state->set_id;
+            state->check_set_id = 0u;
+            reason = AXIS_X_AXIS_ERROR_NONE;
         } else {
-            if (sets_must_wait) {
-                state->sets_pause = state->sets_pause - 1u;
-            } else if (!sets_leaves) {
-                const bool sets_is_copied =
-                    state->sets_copied_set == state->sets_offered_set && state->sets_set_id == 0u;
-                uint32_t sets_refusal_found;
-                if (state->sets_check_set_id != state->sets_offered_set || state->sets_offered_set == 0u) {
-                    state->sets_check_forming_is_covering = true;
-                    state->sets_check_forming_pieces = 0u;
-                    state->sets_check_forming_second = sets_empty_second;
-                    state->sets_check_forming_first = sets_empty_first;
-                    state->sets_check_turn = 0u;
-                    if (sets_is_copied) {
-                        state->sets_turn = 0u;
+            if (must_wait) {
+                state->pause = state->pause - 1u;
+            } else if (!leaves) {
+                const bool is_copied = state->copied_set == state->offered_set && state->set_id == 0u;
+                uint32_t refusal_found;
+                if (state->check_set_id != state->offered_set || state->offered_set == 0u) {
+                    state->check_forming_is_covering = true;
+                    state->check_forming_pieces = 0u;
+                    state->check_forming_second = sets_empty_second;
+                    state->check_forming_first = sets_empty_first;
+                    state->check_turn = 0u;
+                    if (is_copied) {
+                        state->turn = 0u;
                     }
-                    const uint32_t sets_set_id = state->sets_offered_set;
-                    state->sets_check_set_id = sets_set_id;
-                    if (inputs->params->structure != sets_structure || state->sets_offered_set == 0u) {
-                        sets_refusal_found = AXIS_X_AXIS_ERROR_SET_STRUCTURE;
+                    const uint32_t set_id = state->offered_set;
+                    state->check_set_id = set_id;
+                    if (inputs->params->structure != sets_structure || state->offered_set == 0u) {
+                        refusal_found = AXIS_X_AXIS_ERROR_SET_STRUCTURE;
                     } else {
-                        sets_refusal_found = AXIS_X_AXIS_ERROR_NONE;
+                        refusal_found = AXIS_X_AXIS_ERROR_NONE;
                     }
                 } else {
-                    if (sets_is_copied) {
-                        state->sets_check_picked_number = state->sets_picked_number;
+                    if (is_copied) {
+                        state->check_picked_number = state->picked_number;
                     } else {
-                        const uint32_t sets_turn_2 = state->sets_check_turn;
-                        state->sets_check_picked_role = role_coefficient;
-                        switch (sets_turn_2) {
+                        const uint32_t turn_2 = state->check_turn;
+                        state->check_picked_role = role_coefficient;
+                        switch (turn_2) {
                         case 0u: {
-                            state->sets_check_picked_number = inputs->params->limit;
-                            state->sets_check_picked_role = role_limit;
+                            state->check_picked_number = inputs->params->limit;
+                            state->check_picked_role = role_limit;
                             break;
                         }
                         case 1u: {
-                            state->sets_check_picked_number = inputs->params->lower_limit;
-                            state->sets_check_picked_role = role_lower_limit;
+                            state->check_picked_number = inputs->params->lower_limit;
+                            state->check_picked_role = role_lower_limit;
                             break;
                         }
                         case 2u: {
-                            state->sets_check_picked_number = inputs->params->sum_limit;
-                            state->sets_check_picked_role = role_sum_limit;
+                            state->check_picked_number = inputs->params->sum_limit;
+                            state->check_picked_role = role_sum_limit;
                             break;
                         }
                         case 3u: {
-                            state->sets_check_picked_number = inputs->params->stage0_filter0_bandpass0_b2;
+                            state->check_picked_number = inputs->params->stage0_filter0_bandpass0_b2;
                             break;
                         }
                         case 4u: {
-                            state->sets_check_picked_number = inputs->params->stage0_filter0_bandpass0_a1;
+                            state->check_picked_number = inputs->params->stage0_filter0_bandpass0_a1;
                             break;
                         }
                         case 5u: {
-                            state->sets_check_picked_number = inputs->params->stage0_filter0_bandpass0_a2;
-                            state->sets_check_picked_role = role_a2;
+                            state->check_picked_number = inputs->params->stage0_filter0_bandpass0_a2;
+                            state->check_picked_role = role_a2;
                             break;
                         }
                         case 6u: {
-                            state->sets_check_picked_number = inputs->params->stage0_gain;
-                            state->sets_check_picked_role = role_gain;
+                            state->check_picked_number = inputs->params->stage0_gain;
+                            state->check_picked_role = role_gain;
                             break;
                         }
                         default: { /* no action */ break; }
                         }
                     }
-                    if (state->sets_check_turn < 7u) {
-                        bool sets_check_is_in_order;
-                        if (sets_is_copied) {
-                            sets_check_is_in_order = true;
+                    if (state->check_turn < 7u) {
+                        bool check_is_in_order;
+                        if (is_copied) {
+                            check_is_in_order = true;
                         } else {
-                            const double sets_check_number = state->sets_check_picked_number;
-                            const int32_t sets_check_role = state->sets_check_picked_role;
-                            if (sets_check_role == role_limit) {
-                                if (axis_x_axis_magnitude(sets_check_number) <= sets_ipc_limit) {
-                                    sets_check_is_in_order = sets_check_number >= 0.0;
+                            const double check_number = state->check_picked_number;
+                            const int32_t check_role = state->check_picked_role;
+                            if (check_role == role_limit) {
+                                if (axis_x_axis_magnitude(check_number) <= sets_ipc_limit) {
+                                    check_is_in_order = check_number >= 0.0;
                                 } else {
-                                    sets_check_is_in_order = false;
+                                    check_is_in_order = false;
                                 }
-                            } else if (sets_check_role == role_lower_limit) {
-                                sets_check_is_in_order =
-                                    axis_x_axis_is_zero(sets_check_number + state->sets_check_before);
-                            } else if (sets_check_role == role_sum_limit) {
-                                if (axis_x_axis_magnitude(sets_check_number * limit_scale) <= largest_number) {
-                                    sets_check_is_in_order = sets_check_number >= state->sets_check_two_before;
+                            } else if (check_role == role_lower_limit) {
+                                check_is_in_order = axis_x_axis_is_zero(check_number + state->check_before);
+                            } else if (check_role == role_sum_limit) {
+                                if (axis_x_axis_magnitude(check_number * limit_scale) <= largest_number) {
+                                    check_is_in_order = check_number >= state->check_two_before;
                                 } else {
-                                    sets_check_is_in_order = false;
+                                    check_is_in_order = false;
                                 }
-                            } else if (sets_check_role == role_gain) {
-                                sets_check_is_in_order = axis_x_axis_magnitude(sets_check_number) <= weight_limit;
-                            } else if (sets_check_role == role_a2) {
-                                const double sets_check_a1 = state->sets_check_before;
-                                if (axis_x_axis_magnitude(sets_check_a1) <= pole_limit
-                                        && axis_x_axis_magnitude(sets_check_number) <= 1.0) {
-                                    const double sets_check_edge = sets_check_number + 1.0;
-                                    sets_check_is_in_order =
-                                        sets_check_number < 1.0 && sets_check_a1 < sets_check_edge
-                                            && -sets_check_edge < sets_check_a1;
+                            } else if (check_role == role_gain) {
+                                check_is_in_order = axis_x_axis_magnitude(check_number) <= weight_limit;
+                            } else if (check_role == role_a2) {
+                                const double check_a1 = state->check_before;
+                                if (axis_x_axis_magnitude(check_a1) <= pole_limit
+                                        && axis_x_axis_magnitude(check_number) <= 1.0) {
+                                    const double check_edge = check_number + 1.0;
+                                    check_is_in_order =
+                                        check_number < 1.0 && check_a1 < check_edge && -check_edge < check_a1;
                                 } else {
-                                    sets_check_is_in_order = false;
+                                    check_is_in_order = false;
                                 }
                             } else {
-                                sets_check_is_in_order = axis_x_axis_magnitude(sets_check_number) <= largest_number;
+                                check_is_in_order = axis_x_axis_magnitude(check_number) <= largest_number;
                             }
                         }
-                        if (sets_check_is_in_order) {
-                            const double sets_check_number_2 = state->sets_check_picked_number;
-                            double sets_check_scaled;
-                            if (state->sets_check_turn < 3u) {
-                                sets_check_scaled = sets_check_number_2 * limit_scale;
+                        if (check_is_in_order) {
+                            const double check_number_2 = state->check_picked_number;
+                            double check_scaled;
+                            if (state->check_turn < 3u) {
+                                check_scaled = check_number_2 * limit_scale;
                             } else {
-                                sets_check_scaled = sets_check_number_2;
+                                check_scaled = check_number_2;
                             }
-                            double sets_check_forming_rest;
-                            if (state->sets_check_forming_pieces == 0u) {
-                                sets_check_forming_rest = sets_check_scaled * first_cut;
+                            double check_forming_rest;
+                            if (state->check_forming_pieces == 0u) {
+                                check_forming_rest = check_scaled * first_cut;
                             } else {
-                                sets_check_forming_rest = state->sets_check_forming_rest;
+                                check_forming_rest = state->check_forming_rest;
                             }
-                            int32_t sets_check_forming_piece;
-                            if (axis_x_axis_magnitude(sets_check_forming_rest) <= largest_piece) {
-                                sets_check_forming_piece = (int32_t)sets_check_forming_rest;
+                            int32_t check_forming_piece;
+                            if (axis_x_axis_magnitude(check_forming_rest) <= largest_piece) {
+                                check_forming_piece = (int32_t)check_forming_rest;
                             } else {
                                 /* reached only if the block's memory was corrupted */
-                                sets_check_forming_piece = 0;
+                                check_forming_piece = 0;
                             }
-                            state->sets_check_forming_rest =
-                                (sets_check_forming_rest - (double)sets_check_forming_piece) * next_cut;
-                            const int32_t sets_check_forming_remainder = sets_check_forming_piece % 46337;
-                            int32_t sets_check_forming_part;
-                            if (sets_check_forming_remainder < 0) {
-                                sets_check_forming_part =
-                                    (int32_t)((uint32_t)sets_check_forming_remainder + (uint32_t)46337);
+                            state->check_forming_rest = (check_forming_rest - (double)check_forming_piece) * next_cut;
+                            const int32_t check_forming_remainder = check_forming_piece % 46337;
+                            int32_t check_forming_part;
+                            if (check_forming_remainder < 0) {
+                                check_forming_part = (int32_t)((uint32_t)check_forming_remainder + (uint32_t)46337);
                             } else {
-                                sets_check_forming_part = sets_check_forming_remainder;
+                                check_forming_part = check_forming_remainder;
                             }
-                            const int32_t sets_check_forming_first =
-                                (int32_t)((uint32_t)(state->sets_check_forming_first % 46337) * (uint32_t)31337);
-                            const int32_t sets_check_forming_second =
-                                (int32_t)((uint32_t)(state->sets_check_forming_second % 46337) * (uint32_t)17389);
-                            state->sets_check_forming_first =
-                                ((int32_t)((uint32_t)sets_check_forming_first + (uint32_t)sets_check_forming_part)) % 46337;
-                            state->sets_check_forming_second =
-                                ((int32_t)((uint32_t)sets_check_forming_second + (uint32_t)sets_check_forming_part)) % 46337;
-                            const bool sets_check_forming_is_complete = state->sets_check_forming_pieces >= last_piece;
-                            if (sets_check_forming_is_complete) {
-                                state->sets_check_forming_pieces = 0u;
-                                state->sets_check_forming_is_covering =
-                                    state->sets_check_forming_is_covering
-                                        && axis_x_axis_is_zero(state->sets_check_forming_rest);
+                            const int32_t check_forming_first =
+                                (int32_t)((uint32_t)(state->check_forming_first % 46337) * (uint32_t)31337);
+                            const int32_t check_forming_second =
+                                (int32_t)((uint32_t)(state->check_forming_second % 46337) * (uint32_t)17389);
+                            state->check_forming_first =
+                                ((int32_t)((uint32_t)check_forming_first + (uint32_t)check_forming_part)) % 46337;
+                            state->check_forming_second =
+                                ((int32_t)((uint32_t)check_forming_second + (uint32_t)check_forming_part)) % 46337;
+                            const bool check_forming_is_complete = state->check_forming_pieces >= last_piece;
+                            if (check_forming_is_complete) {
+                                state->check_forming_pieces = 0u;
+                                state->check_forming_is_covering =
+                                    state->check_forming_is_covering && axis_x_axis_is_zero(state->check_forming_rest);
                             } else {
-                                state->sets_check_forming_pieces = state->sets_check_forming_pieces + 1u;
+                                state->check_forming_pieces = state->check_forming_pieces + 1u;
                             }
-                            bool sets_check_is_done;
-                            if (sets_check_forming_is_complete) {
-                                state->sets_check_two_before = state->sets_check_before;
-                                state->sets_check_before = sets_check_number_2;
-                                state->sets_check_turn = state->sets_check_turn + 1u;
-                                sets_check_is_done = state->sets_check_turn >= 7u;
+                            bool check_is_done;
+                            if (check_forming_is_complete) {
+                                state->check_two_before = state->check_before;
+                                state->check_before = check_number_2;
+                                state->check_turn = state->check_turn + 1u;
+                                check_is_done = state->check_turn >= 7u;
                             } else {
-                                sets_check_is_done = false;
+                                check_is_done = false;
                             }
-                            if (sets_check_is_done) {
-                                const uint32_t sets_check_set_id = state->sets_check_set_id;
-                                const int32_t sets_check_upper =
-                                    (int32_t)((uint32_t)(state->sets_check_forming_first % 46337) * (uint32_t)46337);
-                                const int32_t sets_check_lower =
-                                    (int32_t)((uint32_t)(state->sets_check_forming_second % 46337) + (uint32_t)46337);
-                                const int32_t sets_check_word =
-                                    (int32_t)((uint32_t)sets_check_upper + (uint32_t)sets_check_lower);
-                                uint32_t sets_check_set_id_2;
-                                if (sets_check_word >= 0) {
-                                    sets_check_set_id_2 = (uint32_t)sets_check_word;
+                            if (check_is_done) {
+                                const uint32_t check_set_id = state->check_set_id;
+                                const int32_t check_upper =
+                                    (int32_t)((uint32_t)(state->check_forming_first % 46337) * (uint32_t)46337);
+                                const int32_t check_lower =
+                                    (int32_t)((uint32_t)(state->check_forming_second % 46337) + (uint32_t)46337);
+                                const int32_t check_word = (int32_t)((uint32_t)check_upper + (uint32_t)check_lower);
+                                uint32_t check_set_id_2;
+                                if (check_word >= 0) {
+                                    check_set_id_2 = (uint32_t)check_word;
                                 } else {
                                     /* reached only if the block's memory was corrupted */
-                                    sets_check_set_id_2 = 0u;
+                                    check_set_id_2 = 0u;
                                 }
-                                const bool sets_check_is_word =
-                                    sets_check_set_id == sets_check_set_id_2 && state->sets_check_forming_is_covering;
-                                if (sets_check_is_word) {
-                                    sets_refusal_found = AXIS_X_AXIS_ERROR_NONE;
+                                const bool check_is_word =
+                                    check_set_id == check_set_id_2 && state->check_forming_is_covering;
+                                if (check_is_word) {
+                                    refusal_found = AXIS_X_AXIS_ERROR_NONE;
                                 } else {
-                                    sets_refusal_found = AXIS_X_AXIS_ERROR_SET_DAMAGED;
+                                    refusal_found = AXIS_X_AXIS_ERROR_SET_DAMAGED;
                                 }
                             } else {
-                                sets_refusal_found = AXIS_X_AXIS_ERROR_NONE;
+                                refusal_found = AXIS_X_AXIS_ERROR_NONE;
                             }
                         } else {
-                            sets_refusal_found = AXIS_X_AXIS_ERROR_SET_UNSOUND;
+                            refusal_found = AXIS_X_AXIS_ERROR_SET_UNSOUND;
                         }
-                        if (sets_is_copied) {
-                            state->sets_turn = state->sets_check_turn;
+                        if (is_copied) {
+                            state->turn = state->check_turn;
                         }
                     } else {
-                        if (sets_is_copied) {
-                            state->sets_copied_set = 0u;
-                            state->sets_turn = 0u;
-                            state->sets_set_id = state->sets_offered_set;
-                            state->sets_acting_set = state->sets_offered_set;
+                        if (is_copied) {
+                            state->copied_set = 0u;
+                            state->turn = 0u;
+                            state->set_id = state->offered_set;
+                            state->acting_set = state->offered_set;
                         } else {
-                            state->sets_refused = AXIS_X_AXIS_ERROR_NONE;
+                            state->refused = AXIS_X_AXIS_ERROR_NONE;
                             if (state->axis_ipc_fade == 0u) {
                                 /* the offered set is copied; it is in use as soon as the copy has been checked */
-                                state->sets_now_axis_ipc[0] = inputs->params->limit;
-                                state->sets_now_axis_ipc[1] = inputs->params->lower_limit;
-                                state->sets_now_axis_ipc[2] = inputs->params->sum_limit;
-                                state->sets_now_axis_ipc[3] = inputs->params->stage0_filter0_bandpass0_b2;
-                                state->sets_now_axis_ipc[4] = inputs->params->stage0_filter0_bandpass0_a1;
-                                state->sets_now_axis_ipc[5] = inputs->params->stage0_filter0_bandpass0_a2;
-                                state->sets_now_axis_ipc[6] = inputs->params->stage0_gain;
-                                state->sets_copy[0] = state->sets_now_axis_ipc[0];
-                                state->sets_copy[1] = state->sets_now_axis_ipc[1];
-                                state->sets_copy[2] = state->sets_now_axis_ipc[2];
-                                state->sets_copy[3] = state->sets_now_axis_ipc[3];
-                                state->sets_copy[4] = state->sets_now_axis_ipc[4];
-                                state->sets_copy[5] = state->sets_now_axis_ipc[5];
-                                state->sets_copy[6] = state->sets_now_axis_ipc[6];
-                                state->sets_copied_set = state->sets_offered_set;
-                                state->sets_check_set_id = 0u;
-                                state->sets_set_id = 0u;
-                                state->sets_acting_set = 0u;
-                                state->sets_turn = 0u;
+                                state->now[0] = inputs->params->limit;
+                                state->now[1] = inputs->params->lower_limit;
+                                state->now[2] = inputs->params->sum_limit;
+                                state->now[3] = inputs->params->stage0_filter0_bandpass0_b2;
+                                state->now[4] = inputs->params->stage0_filter0_bandpass0_a1;
+                                state->now[5] = inputs->params->stage0_filter0_bandpass0_a2;
+                                state->now[6] = inputs->params->stage0_gain;
+                                state->copy[0] = state->now[0];
+                                state->copy[1] = state->now[1];
+                                state->copy[2] = state->now[2];
+                                state->copy[3] = state->now[3];
+                                state->copy[4] = state->now[4];
+                                state->copy[5] = state->now[5];
+                                state->copy[6] = state->now[6];
+                                state->copied_set = state->offered_set;
+                                state->check_set_id = 0u;
+                                state->set_id = 0u;
+                                state->acting_set = 0u;
+                                state->turn = 0u;
                                 state->axis_ipc_preset = false;
                             } else {
-                                state->sets_acting_set = 0u;
+                                state->acting_set = 0u;
                             }
                         }
-                        sets_refusal_found = AXIS_X_AXIS_ERROR_NONE;
+                        refusal_found = AXIS_X_AXIS_ERROR_NONE;
                     }
                 }
-                if (sets_refusal_found != AXIS_X_AXIS_ERROR_NONE) {
-                    state->sets_refused = sets_refusal_found;
-                    state->sets_refused_set = state->sets_offered_set;
-                    state->sets_pause = sets_ipc_fade_cycles;
-                    state->sets_acting_set = state->sets_set_id;
-                    state->sets_copied_set = 0u;
-                    state->sets_check_set_id = 0u;
+                if (refusal_found != AXIS_X_AXIS_ERROR_NONE) {
+                    state->refused = refusal_found;
+                    state->refused_set = state->offered_set;
+                    state->pause = sets_ipc_fade_cycles;
+                    state->acting_set = state->set_id;
+                    state->copied_set = 0u;
+                    state->check_set_id = 0u;
                 }
             } else {
                 /* no action */
             }
-            const bool sets_stays_refused =
-                state->sets_offered_set == state->sets_refused_set
-                    && state->sets_refused >= AXIS_X_AXIS_ERROR_SET_STRUCTURE
-                    && state->sets_refused <= AXIS_X_AXIS_ERROR_SET_DAMAGED;
-            if (sets_stays_refused) {
-                sets_verdict_refused = state->sets_refused;
+            const bool stays_refused =
+                state->offered_set == state->refused_set && state->refused >= AXIS_X_AXIS_ERROR_SET_STRUCTURE
+                    && state->refused <= AXIS_X_AXIS_ERROR_SET_DAMAGED;
+            if (stays_refused) {
+                reason = state->refused;
             } else {
-                sets_verdict_refused = AXIS_X_AXIS_ERROR_NONE;
+                reason = AXIS_X_AXIS_ERROR_NONE;
             }
         }
-        if (state->sets_set_id == 0u
-                && (inputs->mode == AXIS_X_AXIS_MODE_ON || inputs->mode == AXIS_X_AXIS_MODE_OFF
-                    || inputs->mode == AXIS_X_AXIS_MODE_DRYRUN)) {
-            sets_mode = AXIS_X_AXIS_MODE_OFF;
-        } else if (state->sets_acting_set == 0u && inputs->mode == AXIS_X_AXIS_MODE_ON) {
-            sets_mode = AXIS_X_AXIS_MODE_DRYRUN;
-        } else {
-            sets_mode = inputs->mode;
-        }
     } else {
-        state->sets_set_id = state->sets_acting_set;
-        sets_mode = inputs->mode;
-        sets_verdict_refused = 0u;
+        state->set_id = state->acting_set;
+        reason = AXIS_X_AXIS_ERROR_NONE;
+    }
+    int32_t mode_now;
+    if (state->set_id == 0u
+            && (inputs->mode == AXIS_X_AXIS_MODE_ON || inputs->mode == AXIS_X_AXIS_MODE_OFF
+                || inputs->mode == AXIS_X_AXIS_MODE_DRYRUN)) {
+        mode_now = AXIS_X_AXIS_MODE_OFF;
+    } else if (state->acting_set == 0u && inputs->mode == AXIS_X_AXIS_MODE_ON) {
+        mode_now = AXIS_X_AXIS_MODE_DRYRUN;
+    } else {
+        mode_now = inputs->mode;
     }
     double axis_v_command;
     double axis_v_feedforward;
@@ -603,7 +592,7 @@ AXGEN_CODE_SECTION void axis_x_axis_step(
             state->axis_ipc_fade = 0u;
             axis_ipc_runs = false;
             axis_ipc_reason = AXIS_X_AXIS_ERROR_V_MOTOR;
-        } else if (sets_mode == AXIS_X_AXIS_MODE_ON && state->axis_ipc_fade == axis_ipc_fade_cycles) {
+        } else if (mode_now == AXIS_X_AXIS_MODE_ON && state->axis_ipc_fade == axis_ipc_fade_cycles) {
             axis_ipc_runs = true;
             axis_ipc_reason = AXIS_X_AXIS_ERROR_NONE;
         } else if (state->axis_ipc_fade > axis_ipc_fade_cycles) {
@@ -611,27 +600,27 @@ AXGEN_CODE_SECTION void axis_x_axis_step(
             state->axis_ipc_fade = 0u;
             axis_ipc_runs = false;
             axis_ipc_reason = AXIS_X_AXIS_ERROR_STATE;
-        } else if (sets_mode == AXIS_X_AXIS_MODE_ON || sets_mode == AXIS_X_AXIS_MODE_OFF
-                || sets_mode == AXIS_X_AXIS_MODE_DRYRUN) {
+        } else if (mode_now == AXIS_X_AXIS_MODE_ON || mode_now == AXIS_X_AXIS_MODE_OFF
+                || mode_now == AXIS_X_AXIS_MODE_DRYRUN) {
             if (state->axis_ipc_preset) {
-                if (sets_mode == AXIS_X_AXIS_MODE_ON) {
+                if (mode_now == AXIS_X_AXIS_MODE_ON) {
                     state->axis_ipc_fade = state->axis_ipc_fade + 1u;
                 } else if (state->axis_ipc_fade > 1u) {
                     state->axis_ipc_fade = state->axis_ipc_fade - 1u;
                 } else {
                     state->axis_ipc_fade = 0u;
-                    if (sets_mode == AXIS_X_AXIS_MODE_OFF) {
+                    if (mode_now == AXIS_X_AXIS_MODE_OFF) {
                         state->axis_ipc_preset = false;
                     }
                 }
                 axis_ipc_runs = state->axis_ipc_preset;
             } else {
                 state->axis_ipc_fade = 0u;
-                if (sets_mode != AXIS_X_AXIS_MODE_OFF) {
+                if (mode_now != AXIS_X_AXIS_MODE_OFF) {
                     /* as generated: DIRECT (P-AXIS-00753) from v_motor, weight 1/1 = 1 (P-AXIS-00754/00755) */
                     /* as generated: BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz
                      * (P-AXIS-00751), quality factor 5 (P-AXIS-00752), -3 dB at 36.19529 and 44.19529 Hz */
-                    const double axis_ipc_stage0_filter0_section0_s = state->sets_now_axis_ipc[3] * inputs->v_motor;
+                    const double axis_ipc_stage0_filter0_section0_s = state->now[3] * inputs->v_motor;
                     state->axis_ipc_stage0_filter0_section0_s1 = axis_ipc_stage0_filter0_section0_s;
                     state->axis_ipc_stage0_filter0_section0_s2 = axis_ipc_stage0_filter0_section0_s;
                     state->axis_ipc_preset = true;
@@ -655,17 +644,15 @@ AXGEN_CODE_SECTION void axis_x_axis_step(
             /* as generated: DIRECT (P-AXIS-00753) from v_motor, weight 1/1 = 1 (P-AXIS-00754/00755) */
             /* as generated: BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz
              * (P-AXIS-00751), quality factor 5 (P-AXIS-00752), -3 dB at 36.19529 and 44.19529 Hz */
-            const double axis_ipc_stage0_filter0_section0_t = state->sets_now_axis_ipc[3] * inputs->v_motor;
+            const double axis_ipc_stage0_filter0_section0_t = state->now[3] * inputs->v_motor;
             const double axis_ipc_stage0_filter0_section0_y =
                 state->axis_ipc_stage0_filter0_section0_s1 - axis_ipc_stage0_filter0_section0_t;
             state->axis_ipc_stage0_filter0_section0_s1 =
-                state->axis_ipc_stage0_filter0_section0_s2
-                    - state->sets_now_axis_ipc[4] * axis_ipc_stage0_filter0_section0_y;
+                state->axis_ipc_stage0_filter0_section0_s2 - state->now[4] * axis_ipc_stage0_filter0_section0_y;
             state->axis_ipc_stage0_filter0_section0_s2 =
-                axis_ipc_stage0_filter0_section0_t + anti_denormal
-                    - state->sets_now_axis_ipc[5] * axis_ipc_stage0_filter0_section0_y;
-            const double axis_ipc_v_stage0 = state->sets_now_axis_ipc[6] * axis_ipc_stage0_filter0_section0_y;
-            const double axis_ipc_upper = state->sets_now_axis_ipc[0];
+                axis_ipc_stage0_filter0_section0_t + anti_denormal - state->now[5] * axis_ipc_stage0_filter0_section0_y;
+            const double axis_ipc_v_stage0 = state->now[6] * axis_ipc_stage0_filter0_section0_y;
+            const double axis_ipc_upper = state->now[0];
             double axis_ipc_v_limited;
             if (axis_x_axis_magnitude(axis_ipc_v_stage0) <= axis_ipc_upper) {
                 if (axis_x_axis_magnitude(axis_ipc_v_stage0) <= axis_ipc_rest) {
@@ -675,11 +662,11 @@ AXGEN_CODE_SECTION void axis_x_axis_step(
                 }
                 axis_ipc_limited = false;
             } else {
-                if (axis_x_axis_magnitude(axis_ipc_v_stage0) <= state->sets_now_axis_ipc[2]) {
+                if (axis_x_axis_magnitude(axis_ipc_v_stage0) <= state->now[2]) {
                     if (axis_ipc_v_stage0 > 0.0) {
                         axis_ipc_v_limited = axis_ipc_upper;
                     } else {
-                        axis_ipc_v_limited = state->sets_now_axis_ipc[1];
+                        axis_ipc_v_limited = state->now[1];
                     }
                 } else {
                     /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
@@ -695,7 +682,7 @@ AXGEN_CODE_SECTION void axis_x_axis_step(
                 } else {
                     axis_ipc_v_add = 0.0;
                 }
-                if (sets_mode == AXIS_X_AXIS_MODE_OFF) {
+                if (mode_now == AXIS_X_AXIS_MODE_OFF) {
                     axis_ipc_v_add_calculated = 0.0;
                 } else {
                     axis_ipc_v_add_calculated = axis_ipc_v_limited;
@@ -756,14 +743,14 @@ AXGEN_CODE_SECTION void axis_x_axis_step(
         }
         outputs->limited = axis_position_control_limited || axis_limited;
     }
-    const uint32_t set_id = state->sets_set_id;
-    outputs->active_set = set_id;
+    const uint32_t set_id_2 = state->set_id;
+    outputs->active_set = set_id_2;
     outputs->v_command = axis_v_command;
     outputs->v_feedforward = axis_v_feedforward;
     outputs->v_add = axis_v_add;
-    if (sets_verdict_refused != AXIS_X_AXIS_ERROR_NONE && !axis_fault_2) {
-        outputs->fault = set_id == 0u;
-        outputs->error_id = sets_verdict_refused;
+    if (reason != AXIS_X_AXIS_ERROR_NONE && !axis_fault_2) {
+        outputs->fault = set_id_2 == 0u;
+        outputs->error_id = reason;
     } else {
         outputs->fault = axis_fault_2;
         outputs->error_id = error_id_so_far;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  f99d0035b14e3a1cfda0d754b0d06f76
- * structure   a9eb0ba8a749043bcbe219a21f0671fa
- * checksum    a383e34729fa16910d1da7d322066478
+ * structure   538c87194d38328c8c008a0d7a3347e4
+ * checksum    af0432c00441c471657611272b1023dd
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -37,10 +37,10 @@ extern "C" {
 #define AXIS_X_AXIS_PARAMETERS_2 0xfda0d754u
 #define AXIS_X_AXIS_PARAMETERS_3 0xb0d06f76u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_X_AXIS_STRUCTURE_0 0xa9eb0ba8u
-#define AXIS_X_AXIS_STRUCTURE_1 0xa749043bu
-#define AXIS_X_AXIS_STRUCTURE_2 0xcbe219a2u
-#define AXIS_X_AXIS_STRUCTURE_3 0x1f0671fau
+#define AXIS_X_AXIS_STRUCTURE_0 0x538c8719u
+#define AXIS_X_AXIS_STRUCTURE_1 0x4d38328cu
+#define AXIS_X_AXIS_STRUCTURE_2 0x8c008a0du
+#define AXIS_X_AXIS_STRUCTURE_3 0x7a3347e4u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_AXIS_PARAMS_SIZE 64u
 #define AXIS_X_AXIS_OUTPUTS_SIZE 48u
@@ -136,34 +136,33 @@ typedef struct {
 
 /* Memory of the block from cycle to cycle. Only the functions below may access the members. */
 typedef struct {
-    uint32_t sets_set_id; /* number of the set in use; 0: none */
+    uint32_t set_id; /* number of the set in use; 0: none */
     /* number of the set in use while it acts; 0: the block fades out for another set, or no set is in use */
-    uint32_t sets_acting_set;
-    uint32_t sets_offered_set; /* number of the set that is offered */
-    uint32_t sets_copied_set; /* number of the set whose numbers were copied and are being checked again; 0: none */
-    uint32_t sets_pause; /* cycles until a refused set is checked again */
-    uint32_t sets_refused; /* error id of the last set that was refused */
-    uint32_t sets_refused_set; /* number of the last set that was refused */
+    uint32_t acting_set;
+    uint32_t offered_set; /* number of the set that is offered */
+    uint32_t copied_set; /* number of the set whose numbers were copied and are being checked again; 0: none */
+    uint32_t pause; /* cycles until a refused set is checked again */
+    uint32_t refused; /* error id of the last set that was refused */
+    uint32_t refused_set; /* number of the last set that was refused */
     /* limit, lower_limit, sum_limit, stage0_filter0_bandpass0_b2, stage0_filter0_bandpass0_a1,
      * stage0_filter0_bandpass0_a2, stage0_gain */
-    double sets_now_axis_ipc[7];
-    double sets_copy[7]; /* the same elements as sets_now_axis_ipc */
-    /* cycle in the round of comparisons, from 0 on: it selects the number to compare with its copy */
-    uint32_t sets_turn;
-    double sets_picked_number; /* the number whose turn it is */
-    double sets_picked_copy; /* its copy */
-    uint32_t sets_check_set_id; /* number of the set that is checked; 0: none */
-    uint32_t sets_check_turn; /* the number whose turn it is; after the last one, the check is complete */
-    double sets_check_picked_number; /* the number whose turn it is */
-    int32_t sets_check_picked_role; /* what that number is, which decides what is checked */
-    double sets_check_before; /* the number before it */
-    double sets_check_two_before; /* the number two before it */
-    int32_t sets_check_forming_first; /* check word: the pieces as a polynomial at 31337, modulo 46337 */
-    int32_t sets_check_forming_second; /* check word: the pieces as a polynomial at 17389, modulo 46337 */
-    uint32_t sets_check_forming_pieces; /* pieces of the number whose turn it is that the check word contains */
-    double sets_check_forming_rest; /* what is left of that number after these pieces, scaled */
+    double now[7];
+    double copy[7]; /* the same elements as now */
+    uint32_t turn; /* cycle in the round of comparisons, from 0 on: it selects the number to compare with its copy */
+    double picked_number; /* the number whose turn it is */
+    double picked_copy; /* its copy */
+    uint32_t check_set_id; /* number of the set that is checked; 0: none */
+    uint32_t check_turn; /* the number whose turn it is; after the last one, the check is complete */
+    double check_picked_number; /* the number whose turn it is */
+    int32_t check_picked_role; /* what that number is, which decides what is checked */
+    double check_before; /* the number before it */
+    double check_two_before; /* the number two before it */
+    int32_t check_forming_first; /* check word: the pieces as a polynomial at 31337, modulo 46337 */
+    int32_t check_forming_second; /* check word: the pieces as a polynomial at 17389, modulo 46337 */
+    uint32_t check_forming_pieces; /* pieces of the number whose turn it is that the check word contains */
+    double check_forming_rest; /* what is left of that number after these pieces, scaled */
     /* whether the word covers every digit so far: a number that is smaller than any coefficient has more */
-    bool sets_check_forming_is_covering;
+    bool check_forming_is_covering;
     bool axis_ipc_preset; /* TRUE after the filter sections have been preset to the steady state of the input */
     /* position of the fade [cycles]: 0 off, fade_cycles fully on, above fade_cycles: a state was corrupted */
     uint32_t axis_ipc_fade;

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   a8163e2c4d13a9641e5c5ac52dd66dd5
- * checksum    1214518fc4887867f24f87aa29865869
+ * structure   91e1a4362fbdfca2930fc34050fb5cce
+ * checksum    94f856a4aa6b97021d3ec8b4e9ee6fef
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -101,31 +101,31 @@ AXGEN_CODE_SECTION void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
-    state->sets_set_id = 0u;
-    state->sets_acting_set = 0u;
-    state->sets_offered_set = 0u;
-    state->sets_copied_set = 0u;
-    state->sets_pause = 0u;
-    state->sets_refused = 0u;
-    state->sets_refused_set = 0u;
+    state->set_id = 0u;
+    state->acting_set = 0u;
+    state->offered_set = 0u;
+    state->copied_set = 0u;
+    state->pause = 0u;
+    state->refused = 0u;
+    state->refused_set = 0u;
     for (uint32_t index = 0u; index < 7u; ++index) {
-        state->sets_now_axis_ipc[index] = 0.0f;
-        state->sets_copy[index] = 0.0f;
+        state->now[index] = 0.0f;
+        state->copy[index] = 0.0f;
     }
-    state->sets_turn = 0u;
-    state->sets_picked_number = 0.0f;
-    state->sets_picked_copy = 0.0f;
-    state->sets_check_set_id = 0u;
-    state->sets_check_turn = 0u;
-    state->sets_check_picked_number = 0.0f;
-    state->sets_check_picked_role = 0;
-    state->sets_check_before = 0.0f;
-    state->sets_check_two_before = 0.0f;
-    state->sets_check_forming_first = 0;
-    state->sets_check_forming_second = 0;
-    state->sets_check_forming_pieces = 0u;
-    state->sets_check_forming_rest = 0.0f;
-    state->sets_check_forming_is_covering = false;
+    state->turn = 0u;
+    state->picked_number = 0.0f;
+    state->picked_copy = 0.0f;
+    state->check_set_id = 0u;
+    state->check_turn = 0u;
+    state->check_picked_number = 0.0f;
+    state->check_picked_role = 0;
+    state->check_before = 0.0f;
+    state->check_two_before = 0.0f;
+    state->check_forming_first = 0;
+    state->check_forming_second = 0;
+    state->check_forming_pieces = 0u;
+    state->check_forming_rest = 0.0f;
+    state->check_forming_is_covering = false;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
     state->ipc_source_v_motor_before = 0.0f;
@@ -180,294 +180,283 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
     static const uint32_t last_piece = 2u; /* the last piece of a number, counted from 0 */
 
     /* any other cycle: an offered set, the start, a fade, a fault */
-    state->sets_offered_set = inputs->params->set_id;
-    int32_t sets_mode;
-    uint32_t sets_verdict_refused;
+    state->offered_set = inputs->params->set_id;
+    uint32_t reason;
     if (state->ipc_fade > axis_x_ipc_ipc_fade_cycles) {
-        state->sets_set_id = 0u;
-        state->sets_acting_set = 0u;
-        state->sets_copied_set = 0u;
-        state->sets_pause = 0u;
-        state->sets_check_set_id = 0u;
-        sets_mode = inputs->mode;
-        sets_verdict_refused = 0u;
-    } else if (state->sets_offered_set != state->sets_acting_set || state->sets_acting_set == 0u) {
-        const bool sets_must_wait =
-            state->sets_pause > 0u && state->sets_pause <= axis_x_ipc_ipc_fade_cycles
-                && state->sets_offered_set == state->sets_refused_set
-                && state->sets_refused >= AXIS_X_IPC_ERROR_SET_STRUCTURE
-                && state->sets_refused <= AXIS_X_IPC_ERROR_SET_DAMAGED;
-        const bool sets_leaves = state->ipc_fade > 0u && state->sets_acting_set == 0u;
-        if (state->sets_offered_set == state->sets_set_id && state->sets_set_id != 0u) {
-            state->sets_acting_set = state->sets_set_id;
-            state->sets_check_set_id = 0u;
-            sets_verdict_refused = AXIS_X_IPC_ERROR_NONE;
+        state->set_id = 0u;
+        state->acting_set = 0u;
+        state->copied_set = 0u;
+        state->pause = 0u;
+        state->check_set_id = 0u;
+        reason = AXIS_X_IPC_ERROR_NONE;
+    } else if (state->offered_set != state->acting_set || state->acting_set == 0u) {
+        const bool must_wait =
+            state->pause > 0u && state->pause <= axis_x_ipc_ipc_fade_cycles
+                && state->offered_set == state->refused_set && state->refused >= AXIS_X_IPC_ERROR_SET_STRUCTURE
+                && state->refused <= AXIS_X_IPC_ERROR_SET_DAMAGED;
+        const bool leaves = state->ipc_fade > 0u && state->acting_set == 0u;
+        if (state->offered_set == state->set_id && state->set_id != 0u) {
+            state->acting_set = state->set_id;
+            state->check_set_id = 0u;
+            reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            if (sets_must_wait) {
-                state->sets_pause = state->sets_pause - 1u;
-            } else if (!sets_leaves) {
-                const bool sets_is_copied =
-                    state->sets_copied_set == state->sets_offered_set && state->sets_set_id == 0u;
-                uint32_t sets_refusal_found;
-                if (state->sets_check_set_id != state->sets_offered_set || state->sets_offered_set == 0u) {
-                    state->sets_check_forming_is_covering = true;
-                    state->sets_check_forming_pieces = 0u;
-                    state->sets_check_forming_second = empty_second;
-                    state->sets_check_forming_first = empty_first;
-                    state->sets_check_turn = 0u;
-                    if (sets_is_copied) {
-                        state->sets_turn = 0u;
+            if (must_wait) {
+                state->pause = state->pause - 1u;
+            } else if (!leaves) {
+                const bool is_copied = state->copied_set == state->offered_set && state->set_id == 0u;
+                uint32_t refusal_found;
+                if (state->check_set_id != state->offered_set || state->offered_set == 0u) {
+                    state->check_forming_is_covering = true;
+                    state->check_forming_pieces = 0u;
+                    state->check_forming_second = empty_second;
+                    state->check_forming_first = empty_first;
+                    state->check_turn = 0u;
+                    if (is_copied) {
+                        state->turn = 0u;
                     }
-                    const uint32_t sets_set_id = state->sets_offered_set;
-                    state->sets_check_set_id = sets_set_id;
-                    if (inputs->params->structure != structure || state->sets_offered_set == 0u) {
-                        sets_refusal_found = AXIS_X_IPC_ERROR_SET_STRUCTURE;
+                    const uint32_t set_id = state->offered_set;
+                    state->check_set_id = set_id;
+                    if (inputs->params->structure != structure || state->offered_set == 0u) {
+                        refusal_found = AXIS_X_IPC_ERROR_SET_STRUCTURE;
                     } else {
-                        sets_refusal_found = AXIS_X_IPC_ERROR_NONE;
+                        refusal_found = AXIS_X_IPC_ERROR_NONE;
                     }
                 } else {
-                    if (sets_is_copied) {
-                        state->sets_check_picked_number = state->sets_picked_number;
+                    if (is_copied) {
+                        state->check_picked_number = state->picked_number;
                     } else {
-                        const uint32_t sets_turn_2 = state->sets_check_turn;
-                        state->sets_check_picked_role = role_coefficient;
-                        switch (sets_turn_2) {
+                        const uint32_t turn_2 = state->check_turn;
+                        state->check_picked_role = role_coefficient;
+                        switch (turn_2) {
                         case 0u: {
-                            state->sets_check_picked_number = inputs->params->limit;
-                            state->sets_check_picked_role = role_limit;
+                            state->check_picked_number = inputs->params->limit;
+                            state->check_picked_role = role_limit;
                             break;
                         }
                         case 1u: {
-                            state->sets_check_picked_number = inputs->params->lower_limit;
-                            state->sets_check_picked_role = role_lower_limit;
+                            state->check_picked_number = inputs->params->lower_limit;
+                            state->check_picked_role = role_lower_limit;
                             break;
                         }
                         case 2u: {
-                            state->sets_check_picked_number = inputs->params->sum_limit;
-                            state->sets_check_picked_role = role_sum_limit;
+                            state->check_picked_number = inputs->params->sum_limit;
+                            state->check_picked_role = role_sum_limit;
                             break;
                         }
                         case 3u: {
-                            state->sets_check_picked_number = inputs->params->stage0_filter0_bandpass0_a;
+                            state->check_picked_number = inputs->params->stage0_filter0_bandpass0_a;
                             break;
                         }
                         case 4u: {
-                            state->sets_check_picked_number = inputs->params->stage0_filter0_bandpass0_b;
+                            state->check_picked_number = inputs->params->stage0_filter0_bandpass0_b;
                             break;
                         }
                         case 5u: {
-                            state->sets_check_picked_number = inputs->params->stage0_filter0_bandpass0_c;
-                            state->sets_check_picked_role = role_c;
+                            state->check_picked_number = inputs->params->stage0_filter0_bandpass0_c;
+                            state->check_picked_role = role_c;
                             break;
                         }
                         case 6u: {
-                            state->sets_check_picked_number = inputs->params->stage0_gain;
-                            state->sets_check_picked_role = role_gain;
+                            state->check_picked_number = inputs->params->stage0_gain;
+                            state->check_picked_role = role_gain;
                             break;
                         }
                         default: { /* no action */ break; }
                         }
                     }
-                    if (state->sets_check_turn < 7u) {
-                        bool sets_check_is_in_order;
-                        if (sets_is_copied) {
-                            sets_check_is_in_order = true;
+                    if (state->check_turn < 7u) {
+                        bool check_is_in_order;
+                        if (is_copied) {
+                            check_is_in_order = true;
                         } else {
-                            const float sets_check_number = state->sets_check_picked_number;
-                            const int32_t sets_check_role = state->sets_check_picked_role;
-                            if (sets_check_role == role_limit) {
-                                if (axis_x_ipc_magnitude(sets_check_number) <= axis_x_ipc_ipc_limit) {
-                                    sets_check_is_in_order = sets_check_number >= 0.0f;
+                            const float check_number = state->check_picked_number;
+                            const int32_t check_role = state->check_picked_role;
+                            if (check_role == role_limit) {
+                                if (axis_x_ipc_magnitude(check_number) <= axis_x_ipc_ipc_limit) {
+                                    check_is_in_order = check_number >= 0.0f;
                                 } else {
-                                    sets_check_is_in_order = false;
+                                    check_is_in_order = false;
                                 }
-                            } else if (sets_check_role == role_lower_limit) {
-                                sets_check_is_in_order =
-                                    axis_x_ipc_is_zero(sets_check_number + state->sets_check_before);
-                            } else if (sets_check_role == role_sum_limit) {
-                                if (axis_x_ipc_magnitude(sets_check_number * limit_scale) <= largest_number) {
-                                    sets_check_is_in_order = sets_check_number >= state->sets_check_two_before;
+                            } else if (check_role == role_lower_limit) {
+                                check_is_in_order = axis_x_ipc_is_zero(check_number + state->check_before);
+                            } else if (check_role == role_sum_limit) {
+                                if (axis_x_ipc_magnitude(check_number * limit_scale) <= largest_number) {
+                                    check_is_in_order = check_number >= state->check_two_before;
                                 } else {
-                                    sets_check_is_in_order = false;
+                                    check_is_in_order = false;
                                 }
-                            } else if (sets_check_role == role_gain) {
-                                sets_check_is_in_order = axis_x_ipc_magnitude(sets_check_number) <= weight_limit;
-                            } else if (sets_check_role == role_c) {
-                                const float sets_check_a = state->sets_check_two_before;
-                                const float sets_check_b = state->sets_check_before;
-                                if (axis_x_ipc_magnitude(sets_check_a) <= largest_number
-                                        && axis_x_ipc_magnitude(sets_check_b) <= pole_limit
-                                        && axis_x_ipc_magnitude(sets_check_number) <= largest_number) {
-                                    const float sets_check_product = sets_check_a * sets_check_number;
-                                    sets_check_is_in_order =
-                                        0.0f < sets_check_product && sets_check_product < sets_check_b
-                                            && sets_check_b < pole_limit;
+                            } else if (check_role == role_gain) {
+                                check_is_in_order = axis_x_ipc_magnitude(check_number) <= weight_limit;
+                            } else if (check_role == role_c) {
+                                const float check_a = state->check_two_before;
+                                const float check_b = state->check_before;
+                                if (axis_x_ipc_magnitude(check_a) <= largest_number
+                                        && axis_x_ipc_magnitude(check_b) <= pole_limit
+                                        && axis_x_ipc_magnitude(check_number) <= largest_number) {
+                                    const float check_product = check_a * check_number;
+                                    check_is_in_order =
+                                        0.0f < check_product && check_product < check_b && check_b < pole_limit;
                                 } else {
-                                    sets_check_is_in_order = false;
+                                    check_is_in_order = false;
                                 }
                             } else {
-                                sets_check_is_in_order = axis_x_ipc_magnitude(sets_check_number) <= largest_number;
+                                check_is_in_order = axis_x_ipc_magnitude(check_number) <= largest_number;
                             }
                         }
-                        if (sets_check_is_in_order) {
-                            const float sets_check_number_2 = state->sets_check_picked_number;
-                            float sets_check_scaled;
-                            if (state->sets_check_turn < 3u) {
-                                sets_check_scaled = sets_check_number_2 * limit_scale;
+                        if (check_is_in_order) {
+                            const float check_number_2 = state->check_picked_number;
+                            float check_scaled;
+                            if (state->check_turn < 3u) {
+                                check_scaled = check_number_2 * limit_scale;
                             } else {
-                                sets_check_scaled = sets_check_number_2;
+                                check_scaled = check_number_2;
                             }
-                            float sets_check_forming_rest;
-                            if (state->sets_check_forming_pieces == 0u) {
-                                sets_check_forming_rest = sets_check_scaled * first_cut;
+                            float check_forming_rest;
+                            if (state->check_forming_pieces == 0u) {
+                                check_forming_rest = check_scaled * first_cut;
                             } else {
-                                sets_check_forming_rest = state->sets_check_forming_rest;
+                                check_forming_rest = state->check_forming_rest;
                             }
-                            int32_t sets_check_forming_piece;
-                            if (axis_x_ipc_magnitude(sets_check_forming_rest) <= largest_piece) {
-                                sets_check_forming_piece = (int32_t)sets_check_forming_rest;
+                            int32_t check_forming_piece;
+                            if (axis_x_ipc_magnitude(check_forming_rest) <= largest_piece) {
+                                check_forming_piece = (int32_t)check_forming_rest;
                             } else {
                                 /* reached only if the block's memory was corrupted */
-                                sets_check_forming_piece = 0;
+                                check_forming_piece = 0;
                             }
-                            state->sets_check_forming_rest =
-                                (sets_check_forming_rest - (float)sets_check_forming_piece) * next_cut;
-                            const int32_t sets_check_forming_remainder = sets_check_forming_piece % 46337;
-                            int32_t sets_check_forming_part;
-                            if (sets_check_forming_remainder < 0) {
-                                sets_check_forming_part =
-                                    (int32_t)((uint32_t)sets_check_forming_remainder + (uint32_t)46337);
+                            state->check_forming_rest = (check_forming_rest - (float)check_forming_piece) * next_cut;
+                            const int32_t check_forming_remainder = check_forming_piece % 46337;
+                            int32_t check_forming_part;
+                            if (check_forming_remainder < 0) {
+                                check_forming_part = (int32_t)((uint32_t)check_forming_remainder + (uint32_t)46337);
                             } else {
-                                sets_check_forming_part = sets_check_forming_remainder;
+                                check_forming_part = check_forming_remainder;
                             }
-                            const int32_t sets_check_forming_first =
-                                (int32_t)((uint32_t)(state->sets_check_forming_first % 46337) * (uint32_t)31337);
-                            const int32_t sets_check_forming_second =
-                                (int32_t)((uint32_t)(state->sets_check_forming_second % 46337) * (uint32_t)17389);
-                            state->sets_check_forming_first =
-                                ((int32_t)((uint32_t)sets_check_forming_first + (uint32_t)sets_check_forming_part)) % 46337;
-                            state->sets_check_forming_second =
-                                ((int32_t)((uint32_t)sets_check_forming_second + (uint32_t)sets_check_forming_part)) % 46337;
-                            const bool sets_check_forming_is_complete = state->sets_check_forming_pieces >= last_piece;
-                            if (sets_check_forming_is_complete) {
-                                state->sets_check_forming_pieces = 0u;
-                                state->sets_check_forming_is_covering =
-                                    state->sets_check_forming_is_covering
-                                        && axis_x_ipc_is_zero(state->sets_check_forming_rest);
+                            const int32_t check_forming_first =
+                                (int32_t)((uint32_t)(state->check_forming_first % 46337) * (uint32_t)31337);
+                            const int32_t check_forming_second =
+                                (int32_t)((uint32_t)(state->check_forming_second % 46337) * (uint32_t)17389);
+                            state->check_forming_first =
+                                ((int32_t)((uint32_t)check_forming_first + (uint32_t)check_forming_part)) % 46337;
+                            state->check_forming_second =
+                                ((int32_t)((uint32_t)check_forming_second + (uint32_t)check_forming_part)) % 46337;
+                            const bool check_forming_is_complete = state->check_forming_pieces >= last_piece;
+                            if (check_forming_is_complete) {
+                                state->check_forming_pieces = 0u;
+                                state->check_forming_is_covering =
+                                    state->check_forming_is_covering && axis_x_ipc_is_zero(state->check_forming_rest);
                             } else {
-                                state->sets_check_forming_pieces = state->sets_check_forming_pieces + 1u;
+                                state->check_forming_pieces = state->check_forming_pieces + 1u;
                             }
-                            bool sets_check_is_done;
-                            if (sets_check_forming_is_complete) {
-                                state->sets_check_two_before = state->sets_check_before;
-                                state->sets_check_before = sets_check_number_2;
-                                state->sets_check_turn = state->sets_check_turn + 1u;
-                                sets_check_is_done = state->sets_check_turn >= 7u;
+                            bool check_is_done;
+                            if (check_forming_is_complete) {
+                                state->check_two_before = state->check_before;
+                                state->check_before = check_number_2;
+                                state->check_turn = state->check_turn + 1u;
+                                check_is_done = state->check_turn >= 7u;
                             } else {
-                                sets_check_is_done = false;
+                                check_is_done = false;
                             }
-                            if (sets_check_is_done) {
-                                const uint32_t sets_check_set_id = state->sets_check_set_id;
-                                const int32_t sets_check_upper =
-                                    (int32_t)((uint32_t)(state->sets_check_forming_first % 46337) * (uint32_t)46337);
-                                const int32_t sets_check_lower =
-                                    (int32_t)((uint32_t)(state->sets_check_forming_second % 46337) + (uint32_t)46337);
-                                const int32_t sets_check_word =
-                                    (int32_t)((uint32_t)sets_check_upper + (uint32_t)sets_check_lower);
-                                uint32_t sets_check_set_id_2;
-                                if (sets_check_word >= 0) {
-                                    sets_check_set_id_2 = (uint32_t)sets_check_word;
+                            if (check_is_done) {
+                                const uint32_t check_set_id = state->check_set_id;
+                                const int32_t check_upper =
+                                    (int32_t)((uint32_t)(state->check_forming_first % 46337) * (uint32_t)46337);
+                                const int32_t check_lower =
+                                    (int32_t)((uint32_t)(state->check_forming_second % 46337) + (uint32_t)46337);
+                                const int32_t check_word = (int32_t)((uint32_t)check_upper + (uint32_t)check_lower);
+                                uint32_t check_set_id_2;
+                                if (check_word >= 0) {
+                                    check_set_id_2 = (uint32_t)check_word;
                                 } else {
                                     /* reached only if the block's memory was corrupted */
-                                    sets_check_set_id_2 = 0u;
+                                    check_set_id_2 = 0u;
                                 }
-                                const bool sets_check_is_word =
-                                    sets_check_set_id == sets_check_set_id_2 && state->sets_check_forming_is_covering;
-                                if (sets_check_is_word) {
-                                    sets_refusal_found = AXIS_X_IPC_ERROR_NONE;
+                                const bool check_is_word =
+                                    check_set_id == check_set_id_2 && state->check_forming_is_covering;
+                                if (check_is_word) {
+                                    refusal_found = AXIS_X_IPC_ERROR_NONE;
                                 } else {
-                                    sets_refusal_found = AXIS_X_IPC_ERROR_SET_DAMAGED;
+                                    refusal_found = AXIS_X_IPC_ERROR_SET_DAMAGED;
                                 }
                             } else {
-                                sets_refusal_found = AXIS_X_IPC_ERROR_NONE;
+                                refusal_found = AXIS_X_IPC_ERROR_NONE;
                             }
                         } else {
-                            sets_refusal_found = AXIS_X_IPC_ERROR_SET_UNSOUND;
+                            refusal_found = AXIS_X_IPC_ERROR_SET_UNSOUND;
                         }
-                        if (sets_is_copied) {
-                            state->sets_turn = state->sets_check_turn;
+                        if (is_copied) {
+                            state->turn = state->check_turn;
                         }
                     } else {
-                        if (sets_is_copied) {
-                            state->sets_copied_set = 0u;
-                            state->sets_turn = 0u;
-                            state->sets_set_id = state->sets_offered_set;
-                            state->sets_acting_set = state->sets_offered_set;
+                        if (is_copied) {
+                            state->copied_set = 0u;
+                            state->turn = 0u;
+                            state->set_id = state->offered_set;
+                            state->acting_set = state->offered_set;
                         } else {
-                            state->sets_refused = AXIS_X_IPC_ERROR_NONE;
+                            state->refused = AXIS_X_IPC_ERROR_NONE;
                             if (state->ipc_fade == 0u) {
                                 /* the offered set is copied; it is in use as soon as the copy has been checked */
-                                state->sets_now_axis_ipc[0] = inputs->params->limit;
-                                state->sets_now_axis_ipc[1] = inputs->params->lower_limit;
-                                state->sets_now_axis_ipc[2] = inputs->params->sum_limit;
-                                state->sets_now_axis_ipc[3] = inputs->params->stage0_filter0_bandpass0_a;
-                                state->sets_now_axis_ipc[4] = inputs->params->stage0_filter0_bandpass0_b;
-                                state->sets_now_axis_ipc[5] = inputs->params->stage0_filter0_bandpass0_c;
-                                state->sets_now_axis_ipc[6] = inputs->params->stage0_gain;
-                                state->sets_copy[0] = state->sets_now_axis_ipc[0];
-                                state->sets_copy[1] = state->sets_now_axis_ipc[1];
-                                state->sets_copy[2] = state->sets_now_axis_ipc[2];
-                                state->sets_copy[3] = state->sets_now_axis_ipc[3];
-                                state->sets_copy[4] = state->sets_now_axis_ipc[4];
-                                state->sets_copy[5] = state->sets_now_axis_ipc[5];
-                                state->sets_copy[6] = state->sets_now_axis_ipc[6];
-                                state->sets_copied_set = state->sets_offered_set;
-                                state->sets_check_set_id = 0u;
-                                state->sets_set_id = 0u;
-                                state->sets_acting_set = 0u;
-                                state->sets_turn = 0u;
+                                state->now[0] = inputs->params->limit;
+                                state->now[1] = inputs->params->lower_limit;
+                                state->now[2] = inputs->params->sum_limit;
+                                state->now[3] = inputs->params->stage0_filter0_bandpass0_a;
+                                state->now[4] = inputs->params->stage0_filter0_bandpass0_b;
+                                state->now[5] = inputs->params->stage0_filter0_bandpass0_c;
+                                state->now[6] = inputs->params->stage0_gain;
+                                state->copy[0] = state->now[0];
+                                state->copy[1] = state->now[1];
+                                state->copy[2] = state->now[2];
+                                state->copy[3] = state->now[3];
+                                state->copy[4] = state->now[4];
+                                state->copy[5] = state->now[5];
+                                state->copy[6] = state->now[6];
+                                state->copied_set = state->offered_set;
+                                state->check_set_id = 0u;
+                                state->set_id = 0u;
+                                state->acting_set = 0u;
+                                state->turn = 0u;
                                 state->ipc_preset = false;
                             } else {
-                                state->sets_acting_set = 0u;
+                                state->acting_set = 0u;
                             }
                         }
-                        sets_refusal_found = AXIS_X_IPC_ERROR_NONE;
+                        refusal_found = AXIS_X_IPC_ERROR_NONE;
                     }
                 }
-                if (sets_refusal_found != AXIS_X_IPC_ERROR_NONE) {
-                    state->sets_refused = sets_refusal_found;
-                    state->sets_refused_set = state->sets_offered_set;
-                    state->sets_pause = axis_x_ipc_ipc_fade_cycles;
-                    state->sets_acting_set = state->sets_set_id;
-                    state->sets_copied_set = 0u;
-                    state->sets_check_set_id = 0u;
+                if (refusal_found != AXIS_X_IPC_ERROR_NONE) {
+                    state->refused = refusal_found;
+                    state->refused_set = state->offered_set;
+                    state->pause = axis_x_ipc_ipc_fade_cycles;
+                    state->acting_set = state->set_id;
+                    state->copied_set = 0u;
+                    state->check_set_id = 0u;
                 }
             } else {
                 /* no action */
             }
-            const bool sets_stays_refused =
-                state->sets_offered_set == state->sets_refused_set
-                    && state->sets_refused >= AXIS_X_IPC_ERROR_SET_STRUCTURE
-                    && state->sets_refused <= AXIS_X_IPC_ERROR_SET_DAMAGED;
-            if (sets_stays_refused) {
-                sets_verdict_refused = state->sets_refused;
+            const bool stays_refused =
+                state->offered_set == state->refused_set && state->refused >= AXIS_X_IPC_ERROR_SET_STRUCTURE
+                    && state->refused <= AXIS_X_IPC_ERROR_SET_DAMAGED;
+            if (stays_refused) {
+                reason = state->refused;
             } else {
-                sets_verdict_refused = AXIS_X_IPC_ERROR_NONE;
+                reason = AXIS_X_IPC_ERROR_NONE;
             }
         }
-        if (state->sets_set_id == 0u
-                && (inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
-                    || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
-            sets_mode = AXIS_X_IPC_MODE_OFF;
-        } else if (state->sets_acting_set == 0u && inputs->mode == AXIS_X_IPC_MODE_ON) {
-            sets_mode = AXIS_X_IPC_MODE_DRYRUN;
-        } else {
-            sets_mode = inputs->mode;
-        }
     } else {
-        state->sets_set_id = state->sets_acting_set;
-        sets_mode = inputs->mode;
-        sets_verdict_refused = 0u;
+        state->set_id = state->acting_set;
+        reason = AXIS_X_IPC_ERROR_NONE;
+    }
+    int32_t mode_now;
+    if (state->set_id == 0u
+            && (inputs->mode == AXIS_X_IPC_MODE_ON || inputs->mode == AXIS_X_IPC_MODE_OFF
+                || inputs->mode == AXIS_X_IPC_MODE_DRYRUN)) {
+        mode_now = AXIS_X_IPC_MODE_OFF;
+    } else if (state->acting_set == 0u && inputs->mode == AXIS_X_IPC_MODE_ON) {
+        mode_now = AXIS_X_IPC_MODE_DRYRUN;
+    } else {
+        mode_now = inputs->mode;
     }
     bool ipc_runs;
     uint32_t ipc_reason;
@@ -476,7 +465,7 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
         state->ipc_fade = 0u;
         ipc_runs = false;
         ipc_reason = AXIS_X_IPC_ERROR_V_MOTOR;
-    } else if (inputs->position_controlled && !inputs->reset && sets_mode == AXIS_X_IPC_MODE_ON
+    } else if (inputs->position_controlled && !inputs->reset && mode_now == AXIS_X_IPC_MODE_ON
             && state->ipc_fade == axis_x_ipc_ipc_fade_cycles) {
         if (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns) {
             ipc_runs = true;
@@ -497,24 +486,24 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
         state->ipc_fade = 0u;
         ipc_runs = false;
         ipc_reason = AXIS_X_IPC_ERROR_STATE;
-    } else if (sets_mode == AXIS_X_IPC_MODE_ON || sets_mode == AXIS_X_IPC_MODE_OFF
-            || sets_mode == AXIS_X_IPC_MODE_DRYRUN) {
+    } else if (mode_now == AXIS_X_IPC_MODE_ON || mode_now == AXIS_X_IPC_MODE_OFF
+            || mode_now == AXIS_X_IPC_MODE_DRYRUN) {
         if (inputs->position_controlled && !inputs->reset) {
             if (state->ipc_preset) {
-                if (sets_mode == AXIS_X_IPC_MODE_ON) {
+                if (mode_now == AXIS_X_IPC_MODE_ON) {
                     state->ipc_fade = state->ipc_fade + 1u;
                 } else if (state->ipc_fade > 1u) {
                     state->ipc_fade = state->ipc_fade - 1u;
                 } else {
                     state->ipc_fade = 0u;
-                    if (sets_mode == AXIS_X_IPC_MODE_OFF) {
+                    if (mode_now == AXIS_X_IPC_MODE_OFF) {
                         state->ipc_preset = false;
                     }
                 }
                 ipc_runs = state->ipc_preset;
             } else {
                 state->ipc_fade = 0u;
-                if (sets_mode != AXIS_X_IPC_MODE_OFF) {
+                if (mode_now != AXIS_X_IPC_MODE_OFF) {
                     state->ipc_source_v_motor_before = inputs->v_motor;
                     /* as generated: DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
                     /* as generated: BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz
@@ -550,9 +539,9 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
         /* as generated: DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
         /* as generated: BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz
          * (P-AXIS-00751), quality factor 5 (P-AXIS-00752), -3 dB at 36.19529 and 44.19529 Hz */
-        const float ipc_stage0_filter0_section0_a_2 = state->sets_now_axis_ipc[3];
-        const float ipc_stage0_filter0_section0_b_2 = state->sets_now_axis_ipc[4];
-        const float ipc_stage0_filter0_section0_c_2 = state->sets_now_axis_ipc[5];
+        const float ipc_stage0_filter0_section0_a_2 = state->now[3];
+        const float ipc_stage0_filter0_section0_b_2 = state->now[4];
+        const float ipc_stage0_filter0_section0_c_2 = state->now[5];
         const float ipc_stage0_filter0_section0_left_2 = state->ipc_stage0_filter0_section0_p + ipc_source_v_motor_2;
         const float ipc_stage0_filter0_section0_u_2 =
             ipc_stage0_filter0_section0_a_2 * ipc_stage0_filter0_section0_left_2
@@ -564,8 +553,8 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
         state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_next_2;
         state->ipc_stage0_filter0_section0_p =
             ipc_stage0_filter0_section0_left_2 - ipc_stage0_filter0_section0_c_2 * ipc_stage0_filter0_section0_y_2;
-        const float ipc_v_stage0_2 = state->sets_now_axis_ipc[6] * ipc_stage0_filter0_section0_y_2;
-        const float ipc_upper_2 = state->sets_now_axis_ipc[0];
+        const float ipc_v_stage0_2 = state->now[6] * ipc_stage0_filter0_section0_y_2;
+        const float ipc_upper_2 = state->now[0];
         float ipc_v_limited_2;
         if (axis_x_ipc_magnitude(ipc_v_stage0_2) <= ipc_upper_2) {
             if (axis_x_ipc_magnitude(ipc_v_stage0_2) <= axis_x_ipc_ipc_rest) {
@@ -575,11 +564,11 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
             }
             ipc_limited_2 = false;
         } else {
-            if (axis_x_ipc_magnitude(ipc_v_stage0_2) <= state->sets_now_axis_ipc[2]) {
+            if (axis_x_ipc_magnitude(ipc_v_stage0_2) <= state->now[2]) {
                 if (ipc_v_stage0_2 > 0.0f) {
                     ipc_v_limited_2 = ipc_upper_2;
                 } else {
-                    ipc_v_limited_2 = state->sets_now_axis_ipc[1];
+                    ipc_v_limited_2 = state->now[1];
                 }
             } else {
                 /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
@@ -595,7 +584,7 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
             } else {
                 ipc_v_add = 0.0f;
             }
-            if (sets_mode == AXIS_X_IPC_MODE_OFF) {
+            if (mode_now == AXIS_X_IPC_MODE_OFF) {
                 ipc_v_add_calculated = 0.0f;
             } else {
                 ipc_v_add_calculated = ipc_v_limited_2;
@@ -626,11 +615,11 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
         outputs->v_add_calculated = 0.0f;
         outputs->limited = true;
     }
-    const uint32_t set_id = state->sets_set_id;
-    outputs->active_set = set_id;
-    if (sets_verdict_refused != AXIS_X_IPC_ERROR_NONE && !ipc_fault) {
-        outputs->fault = set_id == 0u;
-        outputs->error_id = sets_verdict_refused;
+    const uint32_t set_id_2 = state->set_id;
+    outputs->active_set = set_id_2;
+    if (reason != AXIS_X_IPC_ERROR_NONE && !ipc_fault) {
+        outputs->fault = set_id_2 == 0u;
+        outputs->error_id = reason;
     } else {
         outputs->error_id = error_id_so_far;
         outputs->fault = ipc_fault;
@@ -642,28 +631,28 @@ AXGEN_CODE_SECTION void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
-    if (state->sets_turn < 7u) {
+    if (state->turn < 7u) {
         /* one number in use is compared with its copy in each cycle */
-        const uint32_t sets_turn = state->sets_turn;
-        state->sets_picked_number = state->sets_now_axis_ipc[sets_turn];
-        state->sets_picked_copy = state->sets_copy[sets_turn];
-        if (state->sets_set_id != 0u) {
-            if (axis_x_ipc_is_zero(state->sets_picked_number - state->sets_picked_copy)) {
-                state->sets_turn = state->sets_turn + 1u;
+        const uint32_t turn = state->turn;
+        state->picked_number = state->now[turn];
+        state->picked_copy = state->copy[turn];
+        if (state->set_id != 0u) {
+            if (axis_x_ipc_is_zero(state->picked_number - state->picked_copy)) {
+                state->turn = state->turn + 1u;
             } else {
                 /* a number in use was corrupted: this cycle reports it, then the block takes the offered set over
                  * again */
-                state->sets_turn = 0u;
+                state->turn = 0u;
                 state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
             }
         }
-    } else if (state->sets_turn < 28u) {
+    } else if (state->turn < 28u) {
         /* every number has been compared; the rest of the round is a pause */
-        state->sets_turn = state->sets_turn + 1u;
+        state->turn = state->turn + 1u;
     } else {
-        state->sets_turn = 0u;
+        state->turn = 0u;
     }
-    if (inputs->params->set_id == state->sets_acting_set
+    if (inputs->params->set_id == state->acting_set
             && axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns)
             && inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
@@ -677,9 +666,9 @@ AXGEN_CODE_SECTION void axis_x_ipc_step(
         /* as generated: DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
         /* as generated: BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz
          * (P-AXIS-00751), quality factor 5 (P-AXIS-00752), -3 dB at 36.19529 and 44.19529 Hz */
-        const float ipc_stage0_filter0_section0_a = state->sets_now_axis_ipc[3];
-        const float ipc_stage0_filter0_section0_b = state->sets_now_axis_ipc[4];
-        const float ipc_stage0_filter0_section0_c = state->sets_now_axis_ipc[5];
+        const float ipc_stage0_filter0_section0_a = state->now[3];
+        const float ipc_stage0_filter0_section0_b = state->now[4];
+        const float ipc_stage0_filter0_section0_c = state->now[5];
         const float ipc_stage0_filter0_section0_left = state->ipc_stage0_filter0_section0_p + ipc_source_v_motor;
         const float ipc_stage0_filter0_section0_u =
             ipc_stage0_filter0_section0_a * ipc_stage0_filter0_section0_left
@@ -691,8 +680,8 @@ AXGEN_CODE_SECTION void axis_x_ipc_step(
         state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_next;
         state->ipc_stage0_filter0_section0_p =
             ipc_stage0_filter0_section0_left - ipc_stage0_filter0_section0_c * ipc_stage0_filter0_section0_y;
-        const float ipc_v_stage0 = state->sets_now_axis_ipc[6] * ipc_stage0_filter0_section0_y;
-        const float ipc_upper = state->sets_now_axis_ipc[0];
+        const float ipc_v_stage0 = state->now[6] * ipc_stage0_filter0_section0_y;
+        const float ipc_upper = state->now[0];
         float ipc_v_limited;
         bool ipc_limited;
         if (axis_x_ipc_magnitude(ipc_v_stage0) <= ipc_upper) {
@@ -703,11 +692,11 @@ AXGEN_CODE_SECTION void axis_x_ipc_step(
             }
             ipc_limited = false;
         } else {
-            if (axis_x_ipc_magnitude(ipc_v_stage0) <= state->sets_now_axis_ipc[2]) {
+            if (axis_x_ipc_magnitude(ipc_v_stage0) <= state->now[2]) {
                 if (ipc_v_stage0 > 0.0f) {
                     ipc_v_limited = ipc_upper;
                 } else {
-                    ipc_v_limited = state->sets_now_axis_ipc[1];
+                    ipc_v_limited = state->now[1];
                 }
             } else {
                 /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
@@ -729,7 +718,7 @@ AXGEN_CODE_SECTION void axis_x_ipc_step(
             outputs->v_add_calculated = 0.0f;
             outputs->limited = true;
         }
-        outputs->active_set = state->sets_acting_set;
+        outputs->active_set = state->acting_set;
     } else {
         axis_x_ipc_any_cycle(state, inputs, outputs);
     }

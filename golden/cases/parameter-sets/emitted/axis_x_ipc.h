@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   a8163e2c4d13a9641e5c5ac52dd66dd5
- * checksum    c1144afcd7b41af990664ba64a328881
+ * structure   91e1a4362fbdfca2930fc34050fb5cce
+ * checksum    ec0499ed64d7a247bc112ec3e165ff88
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -49,10 +49,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9aa18bd9u
 #define AXIS_X_IPC_PARAMETERS_3 0x7f336c06u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_X_IPC_STRUCTURE_0 0xa8163e2cu
-#define AXIS_X_IPC_STRUCTURE_1 0x4d13a964u
-#define AXIS_X_IPC_STRUCTURE_2 0x1e5c5ac5u
-#define AXIS_X_IPC_STRUCTURE_3 0x2dd66dd5u
+#define AXIS_X_IPC_STRUCTURE_0 0x91e1a436u
+#define AXIS_X_IPC_STRUCTURE_1 0x2fbdfca2u
+#define AXIS_X_IPC_STRUCTURE_2 0x930fc340u
+#define AXIS_X_IPC_STRUCTURE_3 0x50fb5cceu
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 36u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
@@ -143,34 +143,33 @@ typedef struct {
 
 /* Memory of the block from cycle to cycle. Only the functions below may access the members. */
 typedef struct {
-    uint32_t sets_set_id; /* number of the set in use; 0: none */
+    uint32_t set_id; /* number of the set in use; 0: none */
     /* number of the set in use while it acts; 0: the block fades out for another set, or no set is in use */
-    uint32_t sets_acting_set;
-    uint32_t sets_offered_set; /* number of the set that is offered */
-    uint32_t sets_copied_set; /* number of the set whose numbers were copied and are being checked again; 0: none */
-    uint32_t sets_pause; /* cycles until a refused set is checked again */
-    uint32_t sets_refused; /* error id of the last set that was refused */
-    uint32_t sets_refused_set; /* number of the last set that was refused */
+    uint32_t acting_set;
+    uint32_t offered_set; /* number of the set that is offered */
+    uint32_t copied_set; /* number of the set whose numbers were copied and are being checked again; 0: none */
+    uint32_t pause; /* cycles until a refused set is checked again */
+    uint32_t refused; /* error id of the last set that was refused */
+    uint32_t refused_set; /* number of the last set that was refused */
     /* limit, lower_limit, sum_limit, stage0_filter0_bandpass0_a, stage0_filter0_bandpass0_b,
      * stage0_filter0_bandpass0_c, stage0_gain */
-    float sets_now_axis_ipc[7];
-    float sets_copy[7]; /* the same elements as sets_now_axis_ipc */
-    /* cycle in the round of comparisons, from 0 on: it selects the number to compare with its copy */
-    uint32_t sets_turn;
-    float sets_picked_number; /* the number whose turn it is */
-    float sets_picked_copy; /* its copy */
-    uint32_t sets_check_set_id; /* number of the set that is checked; 0: none */
-    uint32_t sets_check_turn; /* the number whose turn it is; after the last one, the check is complete */
-    float sets_check_picked_number; /* the number whose turn it is */
-    int32_t sets_check_picked_role; /* what that number is, which decides what is checked */
-    float sets_check_before; /* the number before it */
-    float sets_check_two_before; /* the number two before it */
-    int32_t sets_check_forming_first; /* check word: the pieces as a polynomial at 31337, modulo 46337 */
-    int32_t sets_check_forming_second; /* check word: the pieces as a polynomial at 17389, modulo 46337 */
-    uint32_t sets_check_forming_pieces; /* pieces of the number whose turn it is that the check word contains */
-    float sets_check_forming_rest; /* what is left of that number after these pieces, scaled */
+    float now[7];
+    float copy[7]; /* the same elements as now */
+    uint32_t turn; /* cycle in the round of comparisons, from 0 on: it selects the number to compare with its copy */
+    float picked_number; /* the number whose turn it is */
+    float picked_copy; /* its copy */
+    uint32_t check_set_id; /* number of the set that is checked; 0: none */
+    uint32_t check_turn; /* the number whose turn it is; after the last one, the check is complete */
+    float check_picked_number; /* the number whose turn it is */
+    int32_t check_picked_role; /* what that number is, which decides what is checked */
+    float check_before; /* the number before it */
+    float check_two_before; /* the number two before it */
+    int32_t check_forming_first; /* check word: the pieces as a polynomial at 31337, modulo 46337 */
+    int32_t check_forming_second; /* check word: the pieces as a polynomial at 17389, modulo 46337 */
+    uint32_t check_forming_pieces; /* pieces of the number whose turn it is that the check word contains */
+    float check_forming_rest; /* what is left of that number after these pieces, scaled */
     /* whether the word covers every digit so far: a number that is smaller than any coefficient has more */
-    bool sets_check_forming_is_covering;
+    bool check_forming_is_covering;
     bool ipc_preset; /* TRUE after the filter sections have been preset to the steady state of the input */
     /* position of the fade [cycles]: 0 off, fade_cycles fully on, above fade_cycles: a state was corrupted */
     uint32_t ipc_fade;

@@ -5,7 +5,7 @@ use crate::reject::Rejections;
 use crate::scope::Scope;
 use crate::{expr, place, real};
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 use syn::{Expr, GenericArgument, Ident, PathArguments, Type};
 
 /// Describes a call; `alone` says whether the call is a whole value, so that it may change its arguments.
@@ -90,10 +90,8 @@ fn describe_argument(
     rejections: &mut Rejections,
 ) -> TokenStream {
     if let Expr::Reference(reference) = argument {
-        if let Expr::Call(call) = &*reference.expr
-            && matches!(&*call.func, Expr::Path(path) if path.path.is_ident("with_numbers"))
-        {
-            return numbers(call, reference.mutability.is_some(), scope, rejections);
+        if let Some(numbers) = numbers(reference, scope, rejections) {
+            return numbers;
         }
         *mutates |= reference.mutability.is_some();
         let place = place::describe(&reference.expr, scope, rejections);
@@ -108,27 +106,44 @@ fn describe_argument(
     quote!(::portable::Argument::Value { value: #value })
 }
 
-/// `&with_numbers(&structure, &numbers)`, the only call whose value is borrowed.
-fn numbers(call: &syn::ExprCall, is_mutable: bool, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
-    let mut places = call.args.iter().map(|argument| match argument {
-        Expr::Reference(reference) if reference.mutability.is_none() => {
-            Some(place::describe(&reference.expr, scope, rejections))
+/// `&with_numbers(&structure, &numbers)`, the only call whose value is borrowed, by itself or as a field of a struct whose other
+/// fields are those of the place that the structure is in. `None`: another expression.
+fn numbers(reference: &syn::ExprReference, scope: &mut Scope, rejections: &mut Rejections) -> Option<TokenStream> {
+    let (mut value, mut whole) = (&*reference.expr, None::<&Expr>);
+    // The place of the value as text, if it is a field.
+    let mut field: Option<String> = None;
+    let text = |of: &Expr| of.to_token_stream().to_string();
+    while let Expr::Struct(of) = value {
+        let (Some(rest), [only]) = (of.rest.as_deref(), &of.fields.iter().collect::<Vec<_>>()[..]) else { return None };
+        if field.is_some_and(|field| field != text(rest)) {
+            return None;
         }
+        let member = &only.member;
+        field = Some(quote!(#rest.#member).to_string());
+        whole = whole.or(Some(rest));
+        value = &only.expr;
+    }
+    let Expr::Call(call) = value else { return None };
+    if !matches!(&*call.func, Expr::Path(path) if path.path.is_ident("with_numbers")) {
+        return None;
+    }
+    let mut places = call.args.iter().map(|argument| match argument {
+        Expr::Reference(of) if of.mutability.is_none() => Some(place::describe(&of.expr, scope, rejections)),
         argument => {
             let (name, _) = borrowed(argument, scope)?;
             Some(quote!(::portable::Place { root: stringify!(#name), projections: &[] }))
         }
     });
     let places: Option<Vec<TokenStream>> = places.by_ref().collect();
-    match places.as_deref() {
-        Some([structure, numbers]) if !is_mutable => {
-            quote!(::portable::Argument::Numbers { structure: #structure, numbers: #numbers })
-        }
-        _ => {
-            rejections.push(call, "two structs become one; write `&with_numbers(&structure, &numbers)`");
-            TokenStream::new()
-        }
-    }
+    let is_there = |field: &String| matches!(call.args.first(), Some(Expr::Reference(of)) if text(&of.expr) == *field);
+    let Some([part, numbers]) =
+        places.as_deref().filter(|_| reference.mutability.is_none() && field.as_ref().is_none_or(is_there))
+    else {
+        rejections.push(call, "two structs become one; write `&with_numbers(&structure, &numbers)`, or `&Type { part: with_numbers(&whole.part, &numbers), ..whole }`");
+        return Some(TokenStream::new());
+    };
+    let structure = whole.map_or_else(|| part.clone(), |whole| place::describe(whole, scope, rejections));
+    Some(quote!(::portable::Argument::Numbers { structure: #structure, part: #part, numbers: #numbers }))
 }
 
 /// The name of a borrowed parameter that is passed on unchanged.

@@ -70,6 +70,7 @@ fn step<R: Real>(state: &mut State<R>, x: R) -> R {
 }
 
 #[portable]
+#[derive(Clone, Copy)]
 struct Number<R> {
     s1: R,
 }
@@ -82,6 +83,29 @@ struct Numbers<R> {
 #[portable]
 fn overlaid<R: Real>(state: &State<R>, numbers: &Numbers<R>) -> R {
     look(&with_numbers(state, numbers))
+}
+
+#[portable]
+#[derive(Clone, Copy)]
+struct Half<R> {
+    section: Number<R>,
+    limit: R,
+}
+
+#[portable]
+#[derive(Clone, Copy)]
+struct Whole<R> {
+    half: Half<R>,
+}
+
+#[portable]
+fn look_inside<R: Real>(half: &Half<R>) -> R {
+    half.section.s1 + half.limit
+}
+
+#[portable]
+fn overlaid_inside<R: Real>(whole: &Whole<R>, number: &Number<R>) -> R {
+    look_inside(&Half { section: with_numbers(&whole.half.section, number), ..whole.half })
 }
 
 #[portable]
@@ -128,6 +152,15 @@ fn numbers_lie_over_a_structure() {
     let all = both.section.map(|section| (section.s1.to_bits(), section.count));
     assert_eq!(all, [(3.0_f64.to_bits(), 7), (4.0_f64.to_bits(), 8)]);
     assert_eq!(overlaid(&state, &numbers).to_bits(), 3.0_f64.to_bits());
+}
+
+#[test]
+fn numbers_lie_over_a_part() {
+    let expected = "overlaid_inside(whole: &Whole, number: &Number) -> f64 { \
+                    look_inside(&whole.half with with_numbers(&whole.half.section, &number)) }";
+    assert_eq!(text::function(&overlaid_inside::Ir::<f64>::IR), expected);
+    let whole = Whole { half: Half { section: Number { s1: 1.0 }, limit: 2.0 } };
+    assert_eq!(overlaid_inside(&whole, &Number { s1: 3.0_f64 }).to_bits(), 5.0_f64.to_bits());
 }
 
 #[test]

@@ -86,8 +86,10 @@ fn argument(of: &Argument) -> String {
     match of {
         Argument::Value { value } => expr(value),
         Argument::Borrow { place: borrowed } => format!("&{}", place(borrowed)),
-        Argument::Numbers { structure, numbers } => {
-            format!("&with_numbers(&{}, &{})", place(structure), place(numbers))
+        Argument::Numbers { structure, part, numbers } => {
+            let [structure, part, numbers] = [structure, part, numbers].map(place);
+            let with = format!("with_numbers(&{part}, &{numbers})");
+            if structure == part { format!("&{with}") } else { format!("&{structure} with {with}") }
         }
     }
 }
