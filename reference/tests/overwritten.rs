@@ -1,34 +1,8 @@
 //! Parts of the state of `ipc` that something else has overwritten, one by one (docs/parameter-sets.md, docs/improved-position-control.md).
 
-#![expect(clippy::float_cmp, reason = "what is copied is that number")]
+#![expect(clippy::float_cmp, reason = "a number that was copied is that number")]
 
 use reference::{ipc, sets};
-
-/// "Whatever overwrites the numbers": each limit is compared with its copy in its turn.
-#[test]
-fn each_limit_is_compared_with_its_copy() {
-    let mut coeffs = sets::Coeffs::<f64>::default();
-    coeffs.ipc.watch.active = true;
-    let mut sound = sets::State::<f64> { set_id: 1, ..Default::default() };
-    let of = &mut sound.copy;
-    (of.limit, of.lower_limit, of.sum_limit, of.watch.quiet) = (10.0, -10.0, 100.0, 0.2);
-    sound.now = sound.copy;
-    for turn in 0..4 {
-        let mut state = sets::State { turn, ..sound };
-        let mut ipc_state = ipc::State::<f64>::default();
-        sets::compare_one(&mut state, &mut ipc_state, &coeffs);
-        assert_eq!((state.turn, ipc_state.fade), (turn + 1, 0));
-        state.turn = turn;
-        match turn {
-            0 => state.now.limit = 11.0,
-            1 => state.now.lower_limit = 10.0,
-            2 => state.now.sum_limit = f64::NAN,
-            _ => state.now.watch.quiet = 0.0,
-        }
-        sets::compare_one(&mut state, &mut ipc_state, &coeffs);
-        assert_eq!((state.turn, ipc_state.fade), (0, 1), "turn {turn}: the fade is beyond its end");
-    }
-}
 
 /// A pause that no refusal leads to is none: a set is looked at, and not after 2^32 cycles only.
 #[test]

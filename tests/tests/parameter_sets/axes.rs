@@ -11,11 +11,6 @@ pub const STRUCTURES: usize = 3;
 
 /// An axis of a structure; `rng` chooses its numbers. The limit is at most that of [`designed`].
 pub fn other(structure: usize, real: RealKind, rng: &mut Rng, fact: u32) -> Designed {
-    subject::read(&text(structure, real, rng, fact, "all"))
-}
-
-/// The set of such an axis, in which the caller tunes what `tunable` says.
-pub fn text(structure: usize, real: RealKind, rng: &mut Rng, fact: u32, tunable: &str) -> String {
     let mut number = |from: f64, to: f64| from + (to - from) * (rng.below(1001) as f64 / 1000.0);
     let real = if real == RealKind::F64 { "f64" } else { "f32" };
     let (more, stages) = match structure {
@@ -53,12 +48,12 @@ pub fn text(structure: usize, real: RealKind, rng: &mut Rng, fact: u32, tunable:
             ),
         ),
     };
-    format!(
+    subject::read(&format!(
         "cycle_time = '1ms'
 [axis.X]
 real = '{real}'
 fade = '30ms'
-tunable = '{tunable}'
+tunable = 'all'
 getriebe = [{{ dynamik.vb_max = 500000 }}]
 {more}
 [axis.X.lr_param.improved_position_control]
@@ -66,7 +61,7 @@ enable = 'ON'
 v_add_max_fact = {fact}
 stage = [{stages}]
 "
-    )
+    ))
 }
 
 /// The limit that the block is generated with [0.1 %].

@@ -10,14 +10,13 @@
 )]
 
 mod axes;
+mod constants;
 mod corrupted;
-mod whole;
 mod written_meanwhile;
 
 use axes::{FACT, STRUCTURES, block, other, set, sets};
 use axgen_tests::engines::agree;
 use axgen_tests::environment::by_depth;
-use axgen_tests::random::overwritten::flipped;
 use axgen_tests::random::rng::Rng;
 use compiler::leaves;
 use compiler::program::Type;
@@ -230,69 +229,6 @@ fn no_corrupted_set_is_taken_over() {
     assert!(changed > count * 5, "{changed} of {} were changed", count * 6);
 }
 
-/// Cycles after which any set of these structures is in use: it is checked twice, and no number has more than four pieces.
-const TAKEN_OVER: usize = 600;
-
-/// The block with constants, which an independent model is held against, gives the bits that the block gives whose set has
-/// these numbers: the one that it was generated with, or one that another block was generated with. Both are OFF until the
-/// set is in use.
-#[test]
-fn a_set_is_the_block_with_its_constants() {
-    let runs: usize = (0..STRUCTURES)
-        .flat_map(|structure| KINDS.map(|kind| (structure, kind)))
-        .map(|(structure, kind)| {
-            let numbers = |tunable| {
-                axgen_tests::model::subject::read(&axes::text(structure, kind, &mut Rng::new(3), FACT, tunable))
-            };
-            let constants = numbers("nothing");
-            let constant_block = block(&constants);
-            let mut rng = Rng::new(4);
-            let host = other(structure, kind, &mut rng, FACT);
-            let host_block = block(&host);
-            let set = set(&block(&numbers("all")));
-            let bench = Bench {
-                designed: host,
-                block: host_block,
-                sets: vec![set.clone()],
-                foreign: set.clone(),
-                beyond: set.clone(),
-            };
-            let inputs = samples(&bench, RUN);
-            let mut values = Vec::new();
-            let mut whole = Samples::with_capacity(inputs.shape.clone(), RUN);
-            let mut plain = Samples::with_capacity(Shape::of(&constant_block.program.inputs, kind), RUN);
-            for sample in 0..inputs.len() {
-                inputs.read(sample, &mut values);
-                set.iter().for_each(|(at, value)| values[*at] = *value);
-                if sample < TAKEN_OVER {
-                    let mode = inputs.shape.place("mode").unwrap();
-                    values[mode] = Literal::I32(0);
-                }
-                whole.push(&values);
-                let of_name = |name: &str| inputs.shape.signals.iter().position(|signal| signal.name == name);
-                let of_plain: Vec<Literal> = plain
-                    .shape
-                    .signals
-                    .iter()
-                    .map(|signal| of_name(&signal.name).map_or(signal.start, |at| values[at]))
-                    .collect();
-                plain.push(&of_plain);
-            }
-            let found = engine::run(Engine::Reference, &bench.designed, &bench.block, &whole).unwrap();
-            let expected = engine::run(Engine::Reference, &constants, &constant_block, &plain).unwrap();
-            let (mut a, mut b) = (Vec::new(), Vec::new());
-            for sample in 0..RUN {
-                found.read(sample, &mut a);
-                expected.read(sample, &mut b);
-                // The last output is the number of the set.
-                assert_eq!(a[..b.len()], b[..], "structure {structure} in {kind:?}, sample {sample}");
-            }
-            RUN
-        })
-        .sum();
-    eprintln!("{runs} cycles with a set as with its constants: 0 differing bits");
-}
-
 /// An axis of the same structure and numbers, by another name.
 #[test]
 fn a_set_of_another_axis_is_refused() {
@@ -302,57 +238,6 @@ fn a_set_of_another_axis_is_refused() {
     assert_ne!(own.structure, other.structure);
     assert_eq!(sets::refusal(&own, &sets::params(&own)), 0);
     assert_eq!(sets::refusal(&own, &sets::params(&other)), 6);
-}
-
-/// Whatever overwrites the state, numbers in use included: nothing is added beyond the limit of the block.
-#[test]
-fn no_overwritten_number_leads_beyond_the_limit() {
-    let count = by_depth(300, 1_000, 20_000);
-    let of_each = |of| [overwritten::<f64>(of, count), overwritten::<f32>(of, count)];
-    // Most leaves belong to stages that the axis does not have.
-    let faults: Vec<usize> = (0..STRUCTURES).into_par_iter().flat_map_iter(of_each).collect();
-    eprintln!("{faults:?} faults of {count} overwritten states each");
-    assert!(faults.iter().all(|faults| *faults > count / 100), "{faults:?}");
-}
-
-/// How many of so many overwritten states are a fault.
-fn overwritten<R: Real + Portable>(structure: usize, count: usize) -> usize
-where
-    TunableIpc:
-        portable::Block<R, Coeffs = Coeffs<R>, Inputs = tunable_ipc::Inputs<R>, Outputs = tunable_ipc::Outputs<R>>,
-{
-    let coeffs = coeffs::<R>(&bench(structure, R::KIND).designed);
-    let mut inputs = <TunableIpc as portable::Block<R>>::inputs(&coeffs);
-    let mut start = tunable_ipc::State::<R>::default();
-    let mut outputs = tunable_ipc::Outputs::<R>::default();
-    tunable_ipc::init(&mut start);
-    let mut rng = Rng::new(17);
-    let mut faults = 0;
-    for cycle in 0..800 {
-        inputs.v_motor = R::lit(100_000.0 * (f64::from(cycle) * 0.3).sin());
-        tunable_ipc::step(&mut start, &coeffs, &inputs, &mut outputs);
-    }
-    for _ in 0..count {
-        let mut leaves = leaves(&start);
-        let at = rng.below(leaves.len());
-        let any = [f64::NAN, f64::INFINITY, -1e30, 1e9, 3.0];
-        leaves[at] = match leaves[at] {
-            Literal::F64(_) | Literal::F32(_) if rng.below(2) == 0 => real(*rng.pick(&any), R::KIND),
-            value => flipped(value, rng.below(64)),
-        };
-        let mut leaves = leaves.into_iter();
-        let mut state = tunable_ipc::State::<R>::build(&mut || leaves.next().unwrap());
-        let mut is_fault = false;
-        for cycle in 0..100 {
-            inputs.v_motor = R::lit(100_000.0 * (f64::from(cycle) * 0.3).sin());
-            tunable_ipc::step(&mut state, &coeffs, &inputs, &mut outputs);
-            let is_held = portable::in_range(outputs.v_add, coeffs.ipc.limit);
-            assert!(is_held, "leaf {at}: {:?} beyond {:?}", outputs.v_add, coeffs.ipc.limit);
-            is_fault |= outputs.fault;
-        }
-        faults += usize::from(is_fault);
-    }
-    faults
 }
 
 /// Neither an overwritten state nor what is offered then arms a tripped watch again: only the caller's mode does, or a reset.
@@ -423,31 +308,6 @@ fn behind_a_fault_of_the_state_a_refused_set_leaves_none_in_use() {
         [checked, (false, 0, true), (false, 6, true), (true, 3, false), (true, 6, false), checked, (false, 0, true)];
     assert_eq!(ids, expected);
     assert!(outputs.v_add != 0.0);
-}
-
-/// A number in use that was overwritten: the loop of the section grows, which is a fault, and the block takes the set over anew.
-#[test]
-fn numbers_that_were_overwritten_are_taken_over_anew() {
-    let bench = bench(0, RealKind::F64);
-    let coeffs = coeffs::<f64>(&bench.designed);
-    let mut inputs = <TunableIpc as portable::Block<f64>>::inputs(&coeffs);
-    let [mut state, mut sound] = [tunable_ipc::State::<f64>::default(); 2];
-    let [mut outputs, mut expected] = [tunable_ipc::Outputs::<f64>::default(); 2];
-    [&mut state, &mut sound].into_iter().for_each(tunable_ipc::init);
-    let mut faults = 0;
-    for cycle in 0..20_000 {
-        inputs.v_motor = 1000.0 * (f64::from(cycle) * 0.3).sin();
-        if cycle == 1000 {
-            state.own.now.stage[0].filter[0].bandpass[0].a2 = 3.0;
-        }
-        tunable_ipc::step(&mut state, &coeffs, &inputs, &mut outputs);
-        tunable_ipc::step(&mut sound, &coeffs, &inputs, &mut expected);
-        faults += u32::from(outputs.fault && outputs.error_id == 3);
-    }
-    assert_eq!(faults, 1);
-    assert_eq!((outputs.active_set, outputs.fault), (expected.active_set, false));
-    // Ten time constants later both sections have forgotten it, but for rounding.
-    assert!((outputs.v_add - expected.v_add).abs() < 1e-9, "{} in the place of {}", outputs.v_add, expected.v_add);
 }
 
 /// A whole set, and the same once more with the number of a part changed so that only one rule is broken.
