@@ -18,7 +18,7 @@ use rayon::prelude::*;
 fn ipc(real: &str, tunable: &str) -> Designed {
     subject::read(&format!(
         "cycle_time = '1ms'\n[axis.X]\nreal = '{real}'\ntunable = '{tunable}'\nride_through = 2\nwatch = true
-getriebe = [{{ dynamik.vb_max = 500000 }}]
+getriebe = [{{ kv = 2000, dynamik.vb_max = 500000 }}]
 [axis.X.lr_param.improved_position_control]\nenable = 'ON'\nv_add_max_fact = 200
 [[axis.X.lr_param.improved_position_control.stage]]\nmode = 'DIRECT'
 filter = [{{ order = 1, fg_f0 = 20.0, q_factor = 5.0 }}]
@@ -36,8 +36,10 @@ fn subjects() -> Vec<(String, Designed, Block)> {
     for real in ["f64", "f32"] {
         for tunable in ["nothing", "weights", "all"] {
             let designed = ipc(real, tunable);
-            let block = named_block(&designed, "ipc").expect("the axis has it");
-            subjects.push((format!("ipc, {real}, tunable {tunable}"), designed, block));
+            for name in ["ipc", "axis"] {
+                let block = named_block(&designed, name).expect("the axis has it");
+                subjects.push((format!("{name}, {real}, tunable {tunable}"), designed.clone(), block));
+            }
         }
     }
     for case in cases::in_both_real_types() {

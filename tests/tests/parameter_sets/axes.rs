@@ -54,7 +54,7 @@ pub fn other(structure: usize, real: RealKind, rng: &mut Rng, fact: u32) -> Desi
 real = '{real}'
 fade = '30ms'
 tunable = 'all'
-getriebe = [{{ dynamik.vb_max = 500000 }}]
+getriebe = [{{ kv = 2000, dynamik.vb_max = 500000 }}]
 {more}
 [axis.X.lr_param.improved_position_control]
 enable = 'ON'
@@ -67,9 +67,9 @@ stage = [{stages}]
 /// The limit that the block is generated with [0.1 %].
 pub const FACT: u32 = 20;
 
-/// The block `ipc` of an axis.
-pub fn block(designed: &Designed) -> Block {
-    named_block(designed, "ipc").unwrap()
+/// The block of an axis that is tested with a structure.
+pub fn block(structure: usize, designed: &Designed) -> Block {
+    named_block(designed, ["ipc", "ipc", "axis"][structure]).unwrap()
 }
 
 /// The parts of the set that the parameters of an axis make: their position among all inputs, and their values.
@@ -84,7 +84,7 @@ pub fn sets(structure: usize, real: RealKind, rng: &mut Rng, count: usize) -> Ve
     (0..count)
         .map(|_| {
             let fact = 1 + rng.below(FACT as usize) as u32;
-            set(&block(&other(structure, real, rng, fact)))
+            set(&block(structure, &other(structure, real, rng, fact)))
         })
         .collect()
 }

@@ -44,9 +44,8 @@ fn a_set_in_use_acts_like_constants() {
     let blocks: BTreeSet<&str> = cases.iter().map(|case| case.block.program.block).collect();
     assert!(blocks.len() == 3 && cases.len() >= 20, "{blocks:?}");
     cases.par_iter().for_each(|case| {
-        let taken = compared(case);
-        let title = cases::title(case);
-        assert!(taken[0] > 0 && taken[1] > taken[0], "{title}: the sets were in use from the cycles {taken:?} on");
+        let [own, other] = compared(case);
+        assert!(own > 0 && other > own, "{}: taken over in the cycles {own} and {other}", cases::title(case));
     });
 }
 

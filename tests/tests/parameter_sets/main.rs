@@ -1,4 +1,4 @@
-//! The block `ipc` whose numbers come from parameter sets: sets that are offered at any moment, whole, torn and corrupted,
+//! The blocks `ipc` and `axis` whose numbers come from parameter sets: sets that are offered at any moment, whole, torn and corrupted,
 //! through every engine; what is never taken over; how far the output may step.
 #![expect(
     clippy::cast_possible_truncation,
@@ -58,11 +58,11 @@ where
 fn bench(structure: usize, kind: RealKind) -> Bench {
     let mut rng = Rng::new(7 + structure as u64);
     let designed = other(structure, kind, &mut rng, FACT);
-    let block = block(&designed);
+    let block = block(structure, &designed);
     let mut sets = sets(structure, kind, &mut rng, SETS);
     sets.push(set(&block));
-    let foreign = set(&axes::block(&other((structure + 1) % STRUCTURES, kind, &mut rng, FACT)));
-    let beyond = set(&axes::block(&other(structure, kind, &mut rng, FACT + 1)));
+    let foreign = set(&axes::block(structure, &other((structure + 1) % STRUCTURES, kind, &mut rng, FACT)));
+    let beyond = set(&axes::block(structure, &other(structure, kind, &mut rng, FACT + 1)));
     Bench { designed, block, sets, foreign, beyond }
 }
 
@@ -185,7 +185,7 @@ fn takes_over_at_rest(inputs: &Samples, outputs: &Samples, bench: &Bench) {
     }
     let is_whole = |id: &f64| *id == 0.0 || ids.contains(&Literal::U32(*id as u32));
     assert!(used.iter().all(is_whole), "only whole sets are taken over: {used:?}");
-    assert!(used.len() >= SETS && changes > 15, "{} sets in use, {changes} changes", used.len());
+    assert!(used.len() >= SETS && changes > 12, "{} sets in use, {changes} changes", used.len());
     assert!([6.0, 7.0, 8.0].iter().all(|id| told.contains(id)), "every refusal is told: {told:?}");
 }
 

@@ -22,7 +22,7 @@ fn a_set_that_is_written_meanwhile_is_taken_over_whole_or_not_at_all() {
     for File { name, text } in axis_files(&axis, &TARGETS[..1]).unwrap() {
         std::fs::write(folder.path().join(name), text).unwrap();
     }
-    let others = axes::block(&axes::other(STRUCTURE, RealKind::F64, &mut Rng::new(4), axes::FACT));
+    let others = axes::block(STRUCTURE, &axes::other(STRUCTURE, RealKind::F64, &mut Rng::new(4), axes::FACT));
     let members: Vec<String> = others
         .for_axis
         .program
