@@ -28,7 +28,10 @@ pub fn unit<'a>(axis: &'a str, files: &[(&str, String)]) -> Option<Unit<'a>> {
         _ => None,
     };
     let reals = files.iter().map(|(_, text)| real(text)).collect::<Option<_>>()?;
-    let takes_sets = files.iter().any(|(name, _)| name.contains(&set_name(axis)));
+    // TwinCAT has a file for the type of the sets, and Rust declares it in a module.
+    let has_sets =
+        |(name, text): &(&str, String)| name.contains(&set_name(axis)) || text.contains("pub struct Params {");
+    let takes_sets = files.iter().any(has_sets);
     Some(Unit { axis, reals, blocks: of_files, takes_sets })
 }
 

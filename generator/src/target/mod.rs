@@ -248,7 +248,7 @@ pub struct Unit<'a> {
     pub reals: BTreeSet<RealKind>,
     /// the names of its blocks
     pub blocks: Vec<&'static str>,
-    /// whether it takes parameter sets, whose type is a separate file in TwinCAT
+    /// whether it takes parameter sets, whose type other blocks use
     pub takes_sets: bool,
 }
 

@@ -34,6 +34,18 @@ fn a_target_for_one_real_type_has_no_parts_for_the_other() {
     assert!(!names.iter().any(|name| name.contains("_REAL")), "{names:?}");
 }
 
+/// A crate with one feature has the module that declares the type of the sets, also by what is read back from a folder.
+#[test]
+fn a_feature_enables_the_type_of_its_sets() {
+    let set = MACHINE.replacen("[axis.X]\n", "[axis.X]\ntunable = \"all\"\ngetriebe = [{ kv = 2000 }]\n", 1);
+    let all = files(&set);
+    assert!(all["rust/Cargo.toml"].contains("axis_x_axis = [\"axis_x_ipc\"]"));
+    let of_x = |name: &str| name.starts_with("axis_x_") && name.ends_with(".rs");
+    let modules: Vec<_> =
+        all.iter().filter(|(name, _)| of_x(name)).map(|(name, text)| (&**name, text.clone())).collect();
+    assert!(generator::target::head::unit("x", &modules).unwrap().takes_sets);
+}
+
 /// In TwinCAT every signal, every state and every number has a comment, after it or, where that is too long, above it; a
 /// velocity has its unit, the one of its axis.
 #[test]

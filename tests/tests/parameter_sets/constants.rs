@@ -14,8 +14,6 @@ use std::collections::BTreeSet;
 
 /// Cycles of a run.
 const CYCLES: usize = 6_000;
-/// Cycles of a fade that ends within a run.
-const FADE: u32 = 2_000;
 
 /// A block of an axis with other numbers of improved position control.
 fn form(case: &Case, numbers: Numbers, fact: u32) -> (Designed, Block) {
@@ -33,7 +31,7 @@ fn cases_with_constants() -> Vec<Case> {
         let ipc = &case.axis.axis.ipc;
         let is_inside = ["ipc", "axis", "spindle_axis"].contains(&case.block.program.block) && ipc.is_active();
         let is_usual = ipc.tuning().is_none() && !ipc.watch && case.axis.axis.control.master.is_none();
-        is_inside && is_usual && ipc.v_add_max_fact > 1 && case.axis.ipc.fade_cycles <= FADE
+        is_inside && is_usual && ipc.v_add_max_fact > 1 && case.axis.ipc.fade_cycles <= 2_000
     });
     cases
 }

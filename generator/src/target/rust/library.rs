@@ -28,10 +28,12 @@ struct Module {
 
 pub(in crate::target) fn shared(units: &[Unit<'_>]) -> Vec<File> {
     let of_axis = |unit: &Unit<'_>| -> Vec<Module> {
-        let makes_sets = |block: &str| block == SET_DESIGN;
+        // The module of `ipc` declares the type of the sets.
+        let is_whole = |block: &str| ["axis", "spindle_axis"].contains(&block);
+        let shares_sets = |block: &str| block == SET_DESIGN || unit.takes_sets && is_whole(block);
         let module = |block: &&str| Module {
             name: block_name(unit.axis, block),
-            uses: makes_sets(block).then(|| block_name(unit.axis, IPC)),
+            uses: shares_sets(block).then(|| block_name(unit.axis, IPC)),
         };
         unit.blocks.iter().map(module).collect()
     };
