@@ -59,6 +59,10 @@ pub(crate) const SPINDLE: &str = <reference::spindle::Spindle as Reference<f64>>
 pub(crate) const SET_DESIGN: &str = <reference::set_design::SetDesign as Reference<f64>>::NAME;
 pub(crate) const EXCITATION: &str = <reference::excitation::Excitation as Reference<f64>>::NAME;
 
+/// The blocks of a whole axis, which contain improved position control.
+pub(crate) const WHOLE: [&str; 2] =
+    [<reference::axis::Axis as Reference<f64>>::NAME, <reference::spindle_axis::SpindleAxis as Reference<f64>>::NAME];
+
 /// The blocks that the parameters of an axis ask for.
 pub fn of_axis(axis: &Axis) -> impl Iterator<Item = &'static dyn BlockKind> {
     BLOCKS.into_iter().filter(|kind| kind.is_asked_for(axis))

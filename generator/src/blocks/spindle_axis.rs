@@ -50,10 +50,7 @@ impl BlockKind for SpindleAxis {
         };
         let of_axis = axis::notes(designed);
         let notes = within("spindle", Spindle.notes(designed)).chain(within("axis", of_axis)).collect();
-        match designed.axis.ipc.takes_sets() {
-            true => with_sets::notes(designed, notes, ["sets.", "spindle_axis."]),
-            false => notes,
-        }
+        with_sets::notes(designed, notes, ["sets.", "spindle_axis."])
     }
 
     fn ranges(&self, designed: &Designed) -> [f64; 2] {

@@ -11,7 +11,7 @@ mod unconnected;
 
 use crate::axis::Axis;
 use crate::blocks::ipc::closed_loop::{self, Known};
-use crate::blocks::{self, Designed, IPC};
+use crate::blocks::{self, Designed, IPC, WHOLE};
 use crate::number::digits;
 use crate::parameters::Name;
 use crate::target::{File, Target, rendered, stem};
@@ -123,7 +123,7 @@ pub(crate) fn file(designed: &Designed, parameters: String, targets: &[Target]) 
 fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
     let axis = &designed.axis;
     // The last block of the registry that contains `ipc`.
-    let kind = blocks::names(axis).into_iter().rfind(|name| ["axis", "spindle_axis"].contains(name)).unwrap_or(IPC);
+    let kind = blocks::names(axis).into_iter().rfind(|name| WHOLE.contains(name)).unwrap_or(IPC);
     let is_inside = kind != IPC;
     let is_tunable = axis.ipc.tuning().is_some();
     // The drive that the set states, else the ideal one.

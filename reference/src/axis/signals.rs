@@ -6,7 +6,8 @@ use portable::portable;
 /// Declares the inputs of the block; its form with parameter sets has more of them.
 macro_rules! inputs {
     ($($more:tt)*) => {
-        /// Inputs. Translatory axes in um, rotary axes and spindles in 0.001 deg. Inputs that the axis does not use are not read.
+        /// Inputs. Translatory axes in um, rotary axes and spindles in 0.001 deg. Inputs that the axis does not use are not
+        /// read.
         #[portable]
         #[derive(Clone, Copy, Debug, Default)]
         pub struct Inputs<R> {
@@ -14,8 +15,8 @@ macro_rules! inputs {
             pub x_command: R,
             /// actual position, on the same turn as x_command [um or 0.001 deg]
             pub x_actual: R,
-            /// x_command - x_actual, in single precision instead of both positions: the caller subtracts in increments or in double
-            /// precision [um or 0.001 deg]
+            /// x_command - x_actual, in single precision instead of both positions: the caller subtracts in increments or in
+            /// double precision [um or 0.001 deg]
             pub following_error: R,
             /// velocity of the interpolator [um/s or 0.001 deg/s]
             pub v_interpolator: R,
@@ -27,30 +28,32 @@ macro_rules! inputs {
             pub v_motor: R,
             /// velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]
             pub v_direct: R,
-            /// with the key tunable: factor of the stage's weight, 0 to 1; outside this range the last valid value stays active, with the
-            /// id 4, which is not a fault
+            /// with the key tunable: factor of the stage's weight, 0 to 1; outside this range the last valid value stays
+            /// active, with the id 4, which is not a fault
             pub tuning_weight: [R; STAGES],
-            /// with the key tunable: factor of the limit (P-AXIS-00757), 0 to 1; outside this range the last valid value stays active,
-            /// with the id 4, which is not a fault
+            /// with the key tunable: factor of the limit (P-AXIS-00757), 0 to 1; outside this range the last valid value
+            /// stays active, with the id 4, which is not a fault
             pub tuning_limit: R,
             /// gantry slave: v_add of the master axis [um/s or 0.001 deg/s]
             pub v_add_master: R,
-            /// improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault; starts with the value of P-AXIS-00758
+            /// improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault; starts with the value of
+            /// P-AXIS-00758
             pub mode: i32,
             /// G135: TRUE, G137: FALSE; acts at once: switch it at standstill
             pub feedforward_active: bool,
             /// weight of G136 [%], limited to 0..100
             pub feedforward_percentage: i32,
-            /// FALSE: the axis is not in position control: all outputs are 0 at once, and x_drive, if the drive has the position
-            /// controller, follows x_command. The first cycle with TRUE acts in full, without a ramp: x_command must be at x_actual
+            /// FALSE: the axis is not in position control: all outputs are 0 at once, and x_drive, if the drive has the
+            /// position controller, follows x_command. The first cycle with TRUE acts in full, without a ramp: x_command
+            /// must be at x_actual
             pub position_controlled: bool,
-            /// while TRUE all outputs are 0; x_drive, if the drive has the position controller, follows x_command; hold it while
-            /// positions are set (homing)
+            /// while TRUE all outputs are 0; x_drive, if the drive has the position controller, follows x_command; hold it
+            /// while positions are set (homing)
             pub reset: bool,
             /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
             pub task_cycle_ns: u32,
-            /// with the key cycle_counter: cycle counter of the controller; 0: unchecked, in TwinCAT the counter of the task is used;
-            /// skipped and doubled calls are a fault; the block restarts after a pause
+            /// with the key cycle_counter: cycle counter of the controller; 0: unchecked, in TwinCAT the counter of the task
+            /// is used; skipped and doubled calls are a fault; the block restarts after a pause
             pub cycle_counter: u32,
             $($more)*
         }
@@ -68,12 +71,13 @@ macro_rules! outputs {
         #[portable]
         #[derive(Clone, Copy, Debug, Default)]
         pub struct Outputs<R> {
-            /// output of the position controller with feedforward, before v_add is added; for monitoring, the outputs to the drive
-            /// contain v_add [um/s or 0.001 deg/s]
+            /// output of the position controller with feedforward, before v_add is added; for monitoring, the outputs to the
+            /// drive contain v_add [um/s or 0.001 deg/s]
             pub v_command: R,
             /// conventional feedforward [um/s or 0.001 deg/s]
             pub v_feedforward: R,
-            /// additive velocity of improved position control, to be wired to v_add_master of gantry slaves [um/s or 0.001 deg/s]
+            /// additive velocity of improved position control, to be wired to v_add_master of gantry slaves [um/s or 0.001
+            /// deg/s]
             pub v_add: R,
             /// v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [um/s or 0.001 deg/s]
             pub v_add_calculated: R,
@@ -94,8 +98,8 @@ macro_rules! outputs {
             pub limited: bool,
             /// a velocity sample of improved position control is bad and is replaced by the last good one (key ride_through)
             pub held: bool,
-            /// improved position control found the loop unstable: v_add fades out and stays 0 until mode is not ON or reset is TRUE
-            /// (key watch)
+            /// improved position control found the loop unstable: v_add fades out and stays 0 until mode is not ON or reset
+            /// is TRUE (key watch)
             pub tripped: bool,
             /// a part of the block cannot act in this cycle; the error id gives the reason
             pub fault: bool,

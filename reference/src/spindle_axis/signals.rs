@@ -27,11 +27,11 @@ macro_rules! inputs {
             pub v_motor: R,
             /// velocity of the direct measuring system, v_ist2 [0.001 deg/s]
             pub v_direct: R,
-            /// with the key tunable: factor of the stage's weight, 0 to 1; outside this range the last valid value stays active, with the
-            /// id 4, which is not a fault
+            /// with the key tunable: factor of the stage's weight, 0 to 1; outside this range the last valid value stays
+            /// active, with the id 4, which is not a fault
             pub tuning_weight: [R; STAGES],
-            /// with the key tunable: factor of the limit (P-AXIS-00757), 0 to 1; outside this range the last valid value stays active,
-            /// with the id 4, which is not a fault
+            /// with the key tunable: factor of the limit (P-AXIS-00757), 0 to 1; outside this range the last valid value
+            /// stays active, with the id 4, which is not a fault
             pub tuning_limit: R,
             /// speed of a request, S word; its sign does not matter [0.001 deg/s]
             pub s_word: R,
@@ -55,7 +55,8 @@ macro_rules! inputs {
             pub drive_on: bool,
             /// the operation mode that the drive displays: SERCOS S-0-0135, CANopen 6061h
             pub operation_mode_display: i32,
-            /// improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault; starts with the value of P-AXIS-00758
+            /// improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault; starts with the value of
+            /// P-AXIS-00758
             pub mode: i32,
             /// G135: TRUE, G137: FALSE; acts at once: switch it at standstill
             pub feedforward_active: bool,
@@ -65,8 +66,8 @@ macro_rules! inputs {
             pub reset: bool,
             /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
             pub task_cycle_ns: u32,
-            /// with the key cycle_counter: cycle counter of the controller; 0: unchecked, in TwinCAT the counter of the task is used;
-            /// skipped and doubled calls and, while the drive is on, a pause are an error that stays until reset
+            /// with the key cycle_counter: cycle counter of the controller; 0: unchecked, in TwinCAT the counter of the task
+            /// is used; skipped and doubled calls and, while the drive is on, a pause are an error that stays until reset
             pub cycle_counter: u32,
             $($more)*
         }
@@ -92,8 +93,8 @@ macro_rules! outputs {
             pub job_speed: R,
             /// target of the job M19 [0.001 deg]
             pub job_position: R,
-            /// output of the position controller with feedforward, before v_add is added, held while a sample is missing; v_spindle
-            /// where the loop is open; for monitoring, the outputs to the drive contain v_add [0.001 deg/s]
+            /// output of the position controller with feedforward, before v_add is added, held while a sample is missing;
+            /// v_spindle where the loop is open; for monitoring, the outputs to the drive contain v_add [0.001 deg/s]
             pub v_command: R,
             /// conventional feedforward [0.001 deg/s]
             pub v_feedforward: R,
@@ -105,7 +106,8 @@ macro_rules! outputs {
             pub x_drive: R,
             /// 0 POSITION, 1 TO_VELOCITY, 2 VELOCITY, 3 BRAKE, 4 TO_POSITION
             pub spindle_state: SpindleState,
-            /// what the interpolator has to do: 0 STOP (M5), 1 TURN (M3, M4), 2 ORIENT (M19), 3 RELEASE (S[PUTAX]), 4 HOME (G74)
+            /// what the interpolator has to do: 0 STOP (M5), 1 TURN (M3, M4), 2 ORIENT (M19), 3 RELEASE (S[PUTAX]), 4 HOME
+            /// (G74)
             pub job: Job,
             /// counts the jobs: a changed number means a new job
             pub job_number: u32,
@@ -130,8 +132,8 @@ macro_rules! outputs {
             pub limited: bool,
             /// a velocity sample of improved position control is bad and is replaced by the last good one (key ride_through)
             pub held: bool,
-            /// improved position control found the loop unstable: v_add fades out and stays 0 until mode is not ON or reset is TRUE
-            /// (key watch)
+            /// improved position control found the loop unstable: v_add fades out and stays 0 until mode is not ON or reset
+            /// is TRUE (key watch)
             pub tripped: bool,
             /// a part of the block cannot act in this cycle, or the spindle is stopped; the error id gives the reason
             pub fault: bool,

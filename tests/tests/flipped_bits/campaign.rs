@@ -4,6 +4,7 @@ use axgen_tests::random::overwritten::flipped;
 use compiler::interp::Machine;
 use compiler::program::{Program, Type};
 use generator::blocks::{Block, Designed};
+use golden::subject::number;
 use portable::{Literal, RealKind};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -228,17 +229,6 @@ impl<'b> Bench<'b> {
 /// Outputs that count, and so keep what they have lost.
 fn is_count(path: &str) -> bool {
     path == "job_number"
-}
-
-fn number(value: Literal) -> f64 {
-    match value {
-        Literal::F64(value) => value,
-        Literal::F32(value) => value.into(),
-        Literal::U32(value) => value.into(),
-        Literal::I32(value) => value.into(),
-        Literal::Bool(value) => u8::from(value).into(),
-        other => panic!("{other:?}"),
-    }
 }
 
 /// A move to a constant velocity with a vibration; after the flip DRYRUN, a reset, a bad sample, a loss of position control, a refused set.

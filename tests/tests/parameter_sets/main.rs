@@ -24,6 +24,7 @@ use corrupted::{Set, are_same, corrupted, real};
 use generator::blocks::{Block, Designed};
 use golden::engine::{self, Engine};
 use golden::samples::{Samples, Shape};
+use golden::subject::number;
 use portable::{Literal, Portable, Real, RealKind};
 use rayon::prelude::*;
 use reference::ipc::numbers::Params;
@@ -134,15 +135,7 @@ fn sets_at_any_moment_give_the_same_bits_in_every_engine() {
 
 /// A value of an output, reals in double precision.
 fn value(values: &[Literal], shape: &Shape, name: &str) -> f64 {
-    let at = shape.signals.iter().position(|signal| signal.name == name);
-    match values[at.unwrap_or_else(|| panic!("no `{name}`"))] {
-        Literal::F64(value) => value,
-        Literal::F32(value) => value.into(),
-        Literal::U32(value) => value.into(),
-        Literal::I32(value) => value.into(),
-        Literal::Bool(value) => f64::from(u8::from(value)),
-        other => panic!("{other:?}"),
-    }
+    number(values[shape.place(name).unwrap_or_else(|| panic!("no `{name}`"))])
 }
 
 /// Where the set in use changes nothing is added, in that cycle and in the one before; only whole sets are ever in use; all

@@ -65,8 +65,7 @@ impl BlockKind for Axis {
     }
 
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
-        let notes = notes(designed);
-        if designed.axis.ipc.takes_sets() { with_sets::notes(designed, notes, ["sets.", "axis."]) } else { notes }
+        with_sets::notes(designed, notes(designed), ["sets.", "axis."])
     }
 
     fn ranges(&self, designed: &Designed) -> [f64; 2] {

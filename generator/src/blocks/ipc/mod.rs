@@ -59,8 +59,7 @@ impl BlockKind for Ipc {
     }
 
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
-        let notes = notes::notes(designed);
-        if designed.axis.ipc.takes_sets() { with_sets::notes(designed, notes, ["", "ipc."]) } else { notes }
+        with_sets::notes(designed, notes::notes(designed), ["", "ipc."])
     }
 
     fn ranges(&self, designed: &Designed) -> [f64; 2] {

@@ -12,13 +12,16 @@ impl Design for TunableIpc {
     }
 }
 
-/// The notes of a block with parameter sets, derived from those of the block with constants. `paths`: where the coefficients of the
-/// sets are, and where those of the block with constants are.
+/// The notes of a block, from those of its form with constants: these, unless the axis takes sets. The paths lead to the coefficients
+/// of the sets, and to those of the form with constants.
 pub(in crate::blocks) fn notes(
     designed: &Designed,
     of_constants: Vec<(String, String)>,
     [of_sets, of_block]: [&str; 2],
 ) -> Vec<(String, String)> {
+    if !designed.axis.ipc.takes_sets() {
+        return of_constants;
+    }
     let [structure, set] = designed.sets;
     let own = [
         ("structure", format!("accepts parameter sets for the set structure {}", shown(structure))),

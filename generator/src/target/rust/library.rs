@@ -1,6 +1,6 @@
 //! The files that the modules of all axes share: a crate with a feature for each block, and the trait of all blocks.
 
-use crate::blocks::{IPC, SET_DESIGN};
+use crate::blocks::{IPC, SET_DESIGN, WHOLE};
 use crate::target::{File, Unit, block_name, rendered};
 use askama::Template;
 
@@ -29,8 +29,7 @@ struct Module {
 pub(in crate::target) fn shared(units: &[Unit<'_>]) -> Vec<File> {
     let of_axis = |unit: &Unit<'_>| -> Vec<Module> {
         // The module of `ipc` declares the type of the sets.
-        let is_whole = |block: &str| ["axis", "spindle_axis"].contains(&block);
-        let shares_sets = |block: &str| block == SET_DESIGN || unit.takes_sets && is_whole(block);
+        let shares_sets = |block: &str| block == SET_DESIGN || unit.takes_sets && WHOLE.contains(&block);
         let module = |block: &&str| Module {
             name: block_name(unit.axis, block),
             uses: shares_sets(block).then(|| block_name(unit.axis, IPC)),
