@@ -108,7 +108,7 @@ fn count(case: &Case, turn: usize, name: &str, (plant, part): (Plant, usize)) ->
 #[test]
 fn a_self_test_finds_planted_faults() {
     // A block has few numbers and places to fuse, and many statements.
-    let (few, many) = (by_depth(12, 6, 1), by_depth(80, 40, 1));
+    let (few, many) = (by_depth(12, 10, 1), by_depth(80, 60, 1));
     let plants: [(&str, Plant, usize); 3] = [
         ("another constant", Block::with_other_constant, few),
         ("a lost statement", Block::without, many),

@@ -94,9 +94,9 @@ fn is_beside(cell: &Cell) -> bool {
     cell.vibration > 1.0
 }
 
-/// A part of the cells always, in an exhaustive run every twelfth of the others too, all with `AXGEN_EVERY_LEVEL`.
+/// A part of the cells always, in an exhaustive run every 24th of the others too, all with `AXGEN_EVERY_LEVEL`.
 fn part(cells: Vec<Cell>, is_quick: impl Fn(&Cell) -> bool) -> Vec<Cell> {
-    let step = by_depth(usize::MAX, 12, 1);
+    let step = by_depth(usize::MAX, 24, 1);
     let is_in_turn = |number: usize| (number + 1).is_multiple_of(step);
     cells
         .into_iter()

@@ -146,7 +146,7 @@ fn samples(shape: Shape, p: &Parameters, cycles: usize) -> Samples {
 #[test]
 fn random_requests_give_the_same_bits_in_every_engine() {
     let given = std::env::var("AXGEN_SPINDLE_CYCLES").ok().and_then(|text| text.parse().ok());
-    let cycles: usize = given.unwrap_or(by_depth(40_000, 80_000, 320_000));
+    let cycles: usize = given.unwrap_or(by_depth(40_000, 60_000, 320_000));
     let all: Vec<Designed> =
         SPINDLES.iter().flat_map(|of| [RealKind::F64, RealKind::F32].map(|real| spindle(of, real))).collect();
     let requests = AtomicU64::new(0);

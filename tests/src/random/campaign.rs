@@ -41,7 +41,7 @@ impl<'s> Settings<'s> {
     pub fn from_environment(folder: &'s Path, name: &'s str) -> Self {
         let seed = number("AXGEN_RANDOM_SEED").unwrap_or(SEED);
         let programs = number("AXGEN_RANDOM_PROGRAMS").and_then(|programs| usize::try_from(programs).ok());
-        Self { folder, name, seed, programs: programs.unwrap_or(by_depth(10, 40, 1_000)), defect: None }
+        Self { folder, name, seed, programs: programs.unwrap_or(by_depth(10, 25, 1_000)), defect: None }
     }
 }
 

@@ -52,7 +52,7 @@ fn no_state_of_a_golden_case_is_ever_subnormal_or_no_number() {
 }
 
 fn assert_states_normal(case: &Case) {
-    let count = by_depth(5_000, 10_000, 200_000);
+    let count = by_depth(5_000, 5_000, 200_000);
     let samples = case::inputs(case, count).unwrap_or_else(|mistake| panic!("{mistake}"));
     let kind = blocks::named(case.block.program.block).expect("the axis has the block");
     let (mut reference, mut values, mut outputs) = (kind.start(&case.axis), Vec::new(), Vec::new());

@@ -128,7 +128,7 @@ where
 
 #[test]
 fn an_overwritten_state_is_a_fault_or_decays() {
-    let count = by_depth(1_000, 3_000, 10_000);
+    let count = by_depth(1_000, 1_500, 10_000);
     for tunable in ["nothing", "weights"] {
         for (real, faults) in
             [("f64", faults::<f64>("f64", tunable, count)), ("f32", faults::<f32>("f32", tunable, count))]

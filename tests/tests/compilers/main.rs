@@ -62,11 +62,11 @@ fn in_turn<T: Clone>(all: &[T], number: usize, count: usize) -> Vec<T> {
     all.iter().cycle().skip(start % all.len()).take(count).cloned().collect()
 }
 
-/// The cases for what takes its time: a sixth in an exhaustive run, a third with `AXGEN_EVERY_LEVEL`, else a few.
+/// The cases for what takes its time: a twelfth in an exhaustive run, a third with `AXGEN_EVERY_LEVEL`, else a few.
 fn cases() -> Vec<Case> {
     let mut cases = in_both_real_types();
     // These next to the few: the levels of optimisation see all.
-    let part = environment::by_depth(usize::MAX, 6, 3);
+    let part = environment::by_depth(usize::MAX, 12, 3);
     let mut number = 0_usize;
     cases.retain(|case| {
         number += 1;

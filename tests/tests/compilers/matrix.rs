@@ -23,8 +23,8 @@ fn every_level_of_every_compiler_gives_the_bits_of_the_reference() {
     let begin = Instant::now();
     let count = if is_every_level() { DIGEST_SAMPLES } else { SAMPLES };
     let (cases, commands) = (in_both_real_types(), tools().into_iter().map(|tool| tool.command).collect::<Vec<_>>());
-    // A plain run has an eighth of the cases with each compiler, an exhaustive one a quarter.
-    let part = by_depth(8, 4, 1);
+    // All with AXGEN_EVERY_LEVEL, else an eighth of the cases with each compiler.
+    let part = by_depth(8, 8, 1);
     let of_case = |(number, case): (usize, &Case)| {
         let (inputs, expected) = reference(case, count);
         let mut builds = 0;

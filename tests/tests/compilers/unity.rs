@@ -2,7 +2,7 @@
 
 use crate::files::compile;
 use crate::tools;
-use axgen_tests::environment::has;
+use axgen_tests::environment::{by_depth, has};
 use generator::config::ListOptions;
 use generator::generate::axis_files;
 use generator::target::{File, TARGETS};
@@ -65,7 +65,7 @@ fn all_axes_in_one_translation_unit_pass_their_self_tests() {
     }
     text += "    return 0;\n}\n";
     std::fs::write(folder.path().join("unity.c"), text).expect("room in it");
-    for tool in tools() {
+    for tool in tools().into_iter().take(by_depth(1, 1, 2)) {
         compile(tool.command, folder.path(), &[&STRICT[..], &["unity.c", "-o", "unity"]].concat());
         let run = Command::new(folder.path().join("unity")).status().expect("the program starts");
         let code = run.code().and_then(|code| usize::try_from(code).ok()).expect("it ends by itself");

@@ -7,7 +7,7 @@ mod campaign;
 mod spindles;
 
 use axgen_tests::cases;
-use axgen_tests::environment::{is_every_level, is_exhaustive};
+use axgen_tests::environment::by_depth;
 use axgen_tests::model::subject;
 use campaign::{Bench, Table};
 use generator::blocks::{Block, Designed};
@@ -76,11 +76,7 @@ fn an_overwritten_position_is_not_held() {
 
 /// Each how many bits flip.
 fn every() -> usize {
-    match (is_every_level(), is_exhaustive()) {
-        (true, _) => 1,
-        (_, true) => 23,
-        _ => 37,
-    }
+    by_depth(37, 37, 1)
 }
 
 /// An offered set is taken over in the end, whatever bit flips in its first check, in the check of the copy, or in the fade.

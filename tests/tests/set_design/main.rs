@@ -202,7 +202,7 @@ fn compare(structure: usize, real: RealKind, count: usize) {
 
 #[test]
 fn the_set_is_that_of_the_generator() {
-    let count = by_depth(50, 1_000, 10_000);
+    let count = by_depth(50, 500, 10_000);
     let all = (0..STRUCTURES.len()).flat_map(|structure| KINDS.map(|real| (structure, real)));
     all.collect::<Vec<_>>().into_par_iter().for_each(|(structure, real)| compare(structure, real, count));
 }

@@ -39,7 +39,7 @@ const BATCH: usize = 50;
 
 #[test]
 fn a_stage_without_a_message_is_stable_on_the_ideal_drive() {
-    let count = by_depth(200, 600, 2_000);
+    let count = by_depth(200, 400, 2_000);
     let mut rng = Rng::new(0x1dea);
     let (mut silent, mut refused, mut grown) = (Vec::new(), 0_usize, 0_usize);
     for number in 0..count {
