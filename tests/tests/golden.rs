@@ -68,8 +68,8 @@ fn samples(engine: Engine, number: usize) -> usize {
     }
 }
 
-/// Each case in both real types. The Rust, whose compiler takes longest, is compiled in one of them, for one case in two, in a
-/// plain run for one in six; there C is compiled in the other one.
+/// Each case in both real types. The Rust, whose compiler takes longest, is compiled in one of them: for one case in two, in a
+/// plain run for one in six. A plain run compiles C in the other one.
 #[test]
 fn all_engines_give_the_same_bits() {
     in_both_real_types().par_iter().enumerate().for_each(|(number, case)| {

@@ -108,7 +108,7 @@ fn count(case: &Case, turn: usize, name: &str, (plant, part): (Plant, usize)) ->
 #[test]
 fn a_self_test_finds_planted_faults() {
     // A block has few numbers and places to fuse, and many statements.
-    let (few, many) = (by_depth(12, 10, 1), by_depth(80, 60, 1));
+    let (few, many) = (by_depth(12, 6, 1), by_depth(80, 40, 1));
     let plants: [(&str, Plant, usize); 3] = [
         ("another constant", Block::with_other_constant, few),
         ("a lost statement", Block::without, many),
@@ -132,7 +132,7 @@ fn a_self_test_finds_planted_faults() {
         };
         let [spindles, others] = [all(true), all(false)];
         // Of the few that are planted in a plain or in an exhaustive run, chance makes the part a larger one.
-        let least = by_depth(15, 15, 25);
+        let least = by_depth(15, 20, 25);
         for Count { planted, found, missed } in [spindles, others] {
             println!("{name}: {planted} planted, {found} found, {missed} missed");
         }

@@ -29,7 +29,7 @@ export function allow(words) {
   wanted.push(words);
 }
 
-/** Prints a time. It may be three times what is wanted; a page that is not optimised has no limit. */
+/** Prints a time. It may be three times what is wanted; a page for tests has no limit. */
 export function within(what, milliseconds, limit) {
   console.log(`  ${name}: ${what} ${milliseconds.toFixed(0)} ms (${limit} ms)`);
   expect(`${what}: ${milliseconds.toFixed(0)} ms, more than 3 times ${limit} ms`, !isReleased || milliseconds <= 3 * limit);

@@ -8,7 +8,7 @@ const [page, kind] = process.argv.slice(2);
 const begin = loader(page);
 const root = process.env.WORKBENCH_ROOT;
 const LONGEST = 10000;
-/** A page that is not optimised gets a part of a large file: more than a message for each line needs. */
+/** A page for tests gets a part of a large file: more than a message for each line needs. */
 const PART = kind === "released" ? 1 : 0.05;
 
 const encoded = (text) => new TextEncoder().encode(text);

@@ -171,7 +171,7 @@ async function accessible(tab, what) {
   for (const of of found) expect(`axe, ${what}: ${of}`, false);
 }
 
-/** 300 axes: the table, and all files for two and for six targets; a tenth of them in a page that is not optimised. */
+/** 300 axes: the table, and all files for two and for six targets; a tenth of them in a page for tests. */
 async function many() {
   const count = browser.isReleased ? 300 : 30;
   const tab = await open();

@@ -165,7 +165,7 @@ fn planted_mistakes_are_found() {
     let runs = [(&usual, lives(&usual)), (&usual, task(&usual)), (&failed, failing(&failed))];
     let planted = planted();
     // The page shows what an exhaustive run does; a plain one plants half.
-    let missed: Vec<&String> = (planted.par_iter().step_by(by_depth(2, 2, 1)))
+    let missed: Vec<&String> = (planted.par_iter().step_by(by_depth(2, 1, 1)))
         .filter(|[file, old, new]| {
             let edit = |of: &str, text: String| if of == file { swap(&text, old, new) } else { text };
             // What the engine refuses is found as well.
@@ -194,7 +194,7 @@ fn each_lost_statement_is_found() {
         let count = statements.len();
         let missed: Vec<&String> = (0..count)
             .into_par_iter()
-            .step_by(by_depth(2, 2, 1))
+            .step_by(by_depth(2, 1, 1))
             .filter(|&which| is_missed(file, which))
             .map(|which| &statements[which])
             .collect();
