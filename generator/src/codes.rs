@@ -154,9 +154,9 @@ codes! {
         "Each line has a cell for each name. With commas between the cells, decimal commas look like separators. In XML, each spectrum \
          has a value for each frequency, and all spectra have the same frequencies.";
     NEARLY = "AX120", "a name that is nearly one of axgen's",
-        "A list has parameters of other functions, which are passed over. One that differs in a letter or two from a parameter of \
-         axgen's without a value is probably that parameter, mistyped: its default would be used. Correct the name, or give the \
-         parameter its value.";
+        "A list has parameters of other functions, which are passed over. One that differs in a letter or two, or by the structures \
+         above it, from a parameter of axgen's without a value is probably that parameter, mistyped: its default would be used. \
+         Correct the name, or give the parameter its value.";
     OWN_KEYS = "AX121", "keys of axgen in the comments of a list",
         "`axgen export` writes keys that no controller knows as comments, `# axgen: fade 200ms`, and only `axgen import` reads \
          them. Where the list is read directly, its blocks are those of an axis without these keys: import the list, or write \

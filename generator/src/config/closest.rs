@@ -51,13 +51,16 @@ pub(crate) fn of_id(written: &str) -> Option<String> {
     Name::ALL.map(Name::parameter).into_iter().find(is_it).map(|parameter| path_with(parameter.path, [0, 0]))
 }
 
-/// A template with the indices that a path has at the same parts.
+/// A template with the indices that a path has at the same parts, counted from its end: the parts before may be missing.
 pub(crate) fn with_indices_of(template: &str, written: &str) -> String {
     let written = indexed(written);
-    let parts = template.split('.').zip(written.split('.'));
-    let numbers = parts.filter(|(part, _)| part.contains('[')).map(|(_, written)| indices(written)[0]);
-    let mut numbers = numbers.chain([0, 0]);
-    path_with(template, std::array::from_fn(|_| numbers.next().unwrap_or(0)))
+    let parts = template.rsplit('.').zip(written.rsplit('.'));
+    let mut index = [0; 2];
+    let places = (0..template.matches('[').count()).rev();
+    for (place, (_, of)) in places.zip(parts.filter(|(part, _)| part.contains('['))) {
+        index[place] = indices(of)[0];
+    }
+    path_with(template, index)
 }
 
 /// A path in the form of a set, at the place of a wrong path: what is below the tables that both have.
@@ -138,6 +141,21 @@ pub(crate) fn nearly(written: &str, length: usize, end: &str) -> Option<String> 
     let near = alike.filter(is_comparable);
     let near = near.filter_map(|of| Some((distance(Letters::new(&plain), of.whole, most)?, of.template)));
     near.min_by_key(|(distance, _)| *distance).map(|(_, template)| with_indices_of(template, written))
+}
+
+/// The path of axgen's that a path without its first part is, or that has the same stage below `lr_param`:
+/// `achs[0].lr_param.improved_position_control.enable`, `lr_param.ipc.stage[0].mode`, `lr_param.stage[0].mode`.
+pub(crate) fn below_another(written: &str, [first, second]: [&str; 2]) -> Option<String> {
+    let below = &written[first.len() + 1..];
+    let meant = if matches!(second, "lr_param" | "vorsteuer") {
+        below.to_owned()
+    } else if first == "lr_param" {
+        let stage = if second.starts_with("stage[") { Some(below) } else { below[second.len()..].strip_prefix('.') };
+        format!("lr_param.improved_position_control.{}", stage.filter(|stage| stage.starts_with("stage["))?)
+    } else {
+        return None;
+    };
+    matches!(path::find(&meant), path::Path::Known { .. }).then_some(meant)
 }
 
 /// Shorter names of other functions have one letter other than one of axgen's, `kp` and `kv`, but not one of its letters twice.

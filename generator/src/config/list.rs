@@ -195,6 +195,11 @@ impl Reading<'_> {
                 Diagnostic { instead, ..error(codes::LINE, found).allowed("path value # comment") }
             }
         };
+        let meant = said.instead.as_deref().filter(|_| said.code == codes::UNKNOWN);
+        let said = match meant.map(|meant| path::find(first_word(meant))) {
+            Some(Path::OutOfRange { name, .. }) => out_of_range(name, written, place()),
+            _ => said,
+        };
         if let (codes::UNKNOWN, Some(instead)) = (said.code, &said.instead) {
             self.meant(start + statement.path_at(), instead);
         }
@@ -221,8 +226,9 @@ impl Reading<'_> {
             Some(known) => unknown("not known", Some(closest::with_indices_of(known, written))),
             // The usual case, tested first, because comparing letters is slow.
             None if !structure.is_some_and(closest::is_ours) => {
-                self.list.foreign.pass_over(statement, source, start);
-                if let Some(known) = closest::nearly(written, length, last) {
+                self.list.foreign.pass_over(statement, last, source, start);
+                let below = || structure.and_then(|structure| closest::below_another(written, structure));
+                if let Some(known) = closest::nearly(written, length, last).or_else(below) {
                     self.list.foreign.nearly.push((written.to_owned(), known, place()));
                 }
                 if structure.is_some() || !statement.value.contains(' ') || statement.value.starts_with('=') {
@@ -238,7 +244,7 @@ impl Reading<'_> {
             None => match closest::path(written, false) {
                 Some(known) => unknown("not known", Some(known)),
                 None => {
-                    self.list.foreign.pass_over(statement, source, start);
+                    self.list.foreign.pass_over(statement, last, source, start);
                     let found = format!("{} is not known, and passed over", value::shown(written));
                     Some(Diagnostic::warning(codes::PASSED_OVER, place(), found))
                 }
@@ -248,8 +254,7 @@ impl Reading<'_> {
 
     /// The parameter that a wrong line was meant to give is not missing: that would be a second message about one mistake.
     fn meant(&mut self, at: usize, instead: &str) {
-        let path = instead.split([' ', '\t']).next().unwrap_or_default();
-        let Path::Known { name, index, spelling, .. } = path::find(path) else { return };
+        let Path::Known { name, index, spelling, .. } = path::find(first_word(instead)) else { return };
         let source = Arc::clone(self.source);
         let setting = Setting { value: None, refused: None, spelling, source, path_at: at, value_at: at };
         if self.list.values.get((name, index)).is_none() {
@@ -297,6 +302,11 @@ impl Reading<'_> {
             self.list.report.push(twice(written, first, source.place(path_at)));
         }
     }
+}
+
+/// The path at the start of what is advised.
+fn first_word(instead: &str) -> &str {
+    &instead[..value::end_of_word(instead)]
 }
 
 fn twice(written: &str, first: &Setting, place: Place) -> Diagnostic {

@@ -16,7 +16,7 @@ pub(crate) struct OtherFunctions {
     /// the number of skipped parameters
     pub(crate) count: usize,
     looked_at: BTreeMap<String, Found>,
-    /// paths that differ in a letter or two from one of axgen's, which follows
+    /// paths that differ in a letter or two, or by the structures above, from one of axgen's, which follows
     pub(super) nearly: Vec<(String, String, Place)>,
 }
 
@@ -31,13 +31,12 @@ pub(crate) struct Found {
 pub(crate) const NAME: &str = "kopf.log_achs_name";
 
 impl OtherFunctions {
-    /// Counts a line, and keeps it if it is used.
-    pub(super) fn pass_over(&mut self, line: &Statement<'_>, source: &Source, start: usize) {
+    /// Counts a line, and keeps it if it is used. `last`: the name of the last part of its path.
+    pub(super) fn pass_over(&mut self, line: &Statement<'_>, last: &str, source: &Source, start: usize) {
         self.count += 1;
         const STARTS: [&str; 3] = [NAME, "filter[", "filter_fir."];
         // Of the drive and of a gear step, among many others.
-        let ending = line.path.rsplit_once('.').map(|(_, last)| last);
-        let is_read = matches!(ending, Some("vz_istw" | "vz_stellgr" | "reverse" | "dyn_kv_active"));
+        let is_read = matches!(last, "vz_istw" | "vz_stellgr" | "reverse" | "dyn_kv_active");
         if is_read || STARTS.iter().any(|start| line.path.starts_with(start)) {
             let found = Found { text: line.value.to_owned(), place: source.place(start + line.value_at()) };
             self.looked_at.insert(line.path.to_owned(), found);

@@ -8,7 +8,7 @@ use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Parameter, Scope, Value, path_with};
 
-/// The beginning of such a comment.
+/// The beginning of such a comment; its blanks may be more or none.
 pub(crate) const OWN: &str = "# axgen: ";
 
 /// Such a comment: its path and the text of its value, each with its position.
@@ -22,8 +22,7 @@ pub(crate) struct OwnKey<'l> {
 }
 
 pub(crate) fn in_comment(comment: &[u8]) -> Option<OwnKey<'_>> {
-    let mut sign = OWN.split_ascii_whitespace();
-    let rest = sign.try_fold(comment, |rest, word| Some(rest.strip_prefix(word.as_bytes())?.trim_ascii_start()))?;
+    let rest = comment.strip_prefix(b"#")?.trim_ascii_start().strip_prefix(b"axgen:")?.trim_ascii_start();
     let path = rest.split(u8::is_ascii_whitespace).next().unwrap_or_default();
     let text = rest[path.len()..].trim_ascii_start();
     let [path_at, text_at] = [rest, text].map(|part| comment.len() - part.len());

@@ -61,11 +61,9 @@ fn number_at(path: &[u8], mut at: usize) -> (u32, usize) {
     (number, at)
 }
 
-fn end_of_name(path: &[u8], mut at: usize) -> usize {
-    while path.get(at).is_some_and(|byte| OF_NAME[usize::from(*byte)]) {
-        at += 1;
-    }
-    at
+#[inline]
+fn end_of_name(path: &[u8], at: usize) -> usize {
+    at + path[at..].iter().take_while(|letter| OF_NAME[usize::from(**letter)]).count()
 }
 
 static OF_NAME: [bool; 256] = {
