@@ -61,9 +61,11 @@ fn number_at(path: &[u8], mut at: usize) -> (u32, usize) {
     (number, at)
 }
 
-#[inline]
-fn end_of_name(path: &[u8], at: usize) -> usize {
-    at + path[at..].iter().take_while(|letter| OF_NAME[usize::from(**letter)]).count()
+fn end_of_name(path: &[u8], mut at: usize) -> usize {
+    while path.get(at).is_some_and(|byte| OF_NAME[usize::from(*byte)]) {
+        at += 1;
+    }
+    at
 }
 
 static OF_NAME: [bool; 256] = {

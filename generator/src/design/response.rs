@@ -46,7 +46,7 @@ pub(crate) fn sections(coeffs: &filter::Coeffs<f64>) -> Vec<Section> {
 }
 
 pub(crate) fn product(sections: &[Section], t: f64) -> Complex {
-    sections.iter().fold(Complex::from(1.0), |h, section| h * section.at(t))
+    sections.iter().map(|section| section.at(t)).reduce(|h, section| h * section).unwrap_or(Complex::from(1.0))
 }
 
 /// Numerator and denominator.
