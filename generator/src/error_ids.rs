@@ -76,7 +76,7 @@ static ROWS: &[Row] = rows! {
     error_v_command: NOTHING_ADDED, "Check what gives v_command: the position controller with its feedforward.";
     error_v_motor: NOTHING_ADDED, MEASURED;
     error_v_direct: NOTHING_ADDED, MEASURED;
-    error_v_interpolator: "Feedforward puts out 0 in a cycle with this fault. A spindle continues at its last velocity for up to three \
+    error_v_interpolator: "Feedforward outputs 0 in a cycle with this fault. A spindle continues at its last velocity for up to three \
                            cycles. From the fourth consecutive bad cycle on, it brakes to standstill, and the id stays until a reset.", INTERPOLATOR;
     error_a_interpolator: NOTHING_FED, INTERPOLATOR;
     error_j_interpolator: NOTHING_FED, INTERPOLATOR;

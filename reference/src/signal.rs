@@ -70,7 +70,7 @@ constants! {
     pub fn error_brake() -> u32 { 42u32 }
     /// error_id: spindle: position control does not begin within the time; stays until reset
     pub fn error_to_position() -> u32 { 43u32 }
-    /// error_id: spindle: 180 degrees a cycle or more, the drive cannot tell the direction; stays until reset
+    /// error_id: spindle: 180 degrees a cycle or more, the drive cannot distinguish the direction; stays until reset
     pub fn error_half_turn() -> u32 { 44u32 }
     /// error_id: spindle: the drive displays another operation mode; stays from the fourth cycle on
     pub fn error_mode_display() -> u32 { 45u32 }

@@ -233,3 +233,10 @@ pub struct PositionControl {
     /// PROFIdrive: cycles by which the feedforward leads the position (P-AXIS-00165)
     pub shift_time: u32,
 }
+
+impl PositionControl {
+    /// Whether v_add reaches the drive: in the velocity command of the CNC, or as an additive velocity.
+    pub(crate) fn passes_v_add(&self) -> bool {
+        self.location == Location::Cnc || self.velocity.is_some()
+    }
+}

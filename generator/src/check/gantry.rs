@@ -127,8 +127,8 @@ fn compare(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
 
 /// Reports a slave that cannot follow what its master adds: it would skew the gantry. A warning as long as the master is OFF.
 fn way_out(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
-    let is_shut = |control: &PositionControl| control.location != Location::Cnc && control.velocity.is_none();
-    if slave.control.position_control.as_ref().is_some_and(is_shut) && master.ipc.is_active() {
+    let passes_v_add = slave.control.position_control.as_ref().is_none_or(PositionControl::passes_v_add);
+    if !passes_v_add && master.ipc.is_active() {
         let found = format!(
             "{} follows {}, which has improved position control, and its own process data have no additive velocity",
             slave.name, master.name

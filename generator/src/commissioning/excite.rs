@@ -15,8 +15,6 @@ pub(super) struct Excite {
     pub(super) speed: String,
     /// what the axis travels at that speed, with its unit
     pub(super) path: String,
-    /// whether the drive controls the position: the measured response is then not that of its velocity loop
-    pub(super) in_drive: bool,
     /// what the excitation does to the machine
     pub(super) facts: Vec<Fact>,
 }
@@ -41,7 +39,6 @@ impl Excite {
         let fact = |what, value| Fact { what, value };
         Some(Self {
             sequence: format!("{}x{}", excitation.sequence.bits(), excitation.sequence.clock()),
-            in_drive: !axis.control.commands_by_position(),
             fade: digits(FADE),
             speed: digits(speed),
             facts: vec![

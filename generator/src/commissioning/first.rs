@@ -22,6 +22,10 @@ pub(super) struct First {
     /// inputs of the block `excitation` that hold it at rest
     off: &'static str,
     unit: &'static str,
+    /// whether the drive controls the position: stages and excitation need its additive velocity, and a measured response is
+    /// not that of its velocity loop
+    in_drive: bool,
+    additive: &'static str,
     cycle: String,
     cycle_ns: u32,
     /// [s]
@@ -56,6 +60,8 @@ pub(super) fn page(axis: &Axis, targets: &[Target]) -> First {
         counts_calls: axis.counts_calls,
         off: "`hold_to_run := FALSE`",
         unit: axis.control.velocity_unit(),
+        in_drive: !axis.control.commands_by_position(),
+        additive: "SERCOS S-0-0037, CANopen 60B1h, PROFIdrive NSOLL_B",
         cycle: cycle(axis),
         cycle_ns: axis.cycle_time_ns,
         window: digits(LEAST_WINDOW),

@@ -9,7 +9,7 @@ mod rows;
 mod stage;
 mod unconnected;
 
-use crate::axis::Axis;
+use crate::axis::{Axis, PositionControl};
 use crate::blocks::ipc::closed_loop::{self, Known};
 use crate::blocks::{self, Designed, IPC, WHOLE};
 use crate::number::digits;
@@ -56,6 +56,9 @@ struct Page {
     unconnected: Unconnected,
     /// whether it is the whole axis of a spindle
     is_spindle: bool,
+    /// whether what the stages add reaches the drive
+    has_way_out: bool,
+    has_watch: bool,
     /// other blocks to call, which do not contain the block `ipc`
     others: String,
     /// whether the block may report notices
@@ -141,6 +144,8 @@ fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
         is_inside,
         unconnected: Unconnected::new(axis),
         is_spindle: is_inside && axis.control.spindle.is_some(),
+        has_way_out: axis.control.position_control.as_ref().is_none_or(PositionControl::passes_v_add),
+        has_watch: axis.ipc.watch,
         others: if is_inside { String::new() } else { others(axis) },
         has_notices: is_tunable || axis.ipc.takes_sets() || axis.ipc.watch,
         is_tunable,
@@ -195,14 +200,21 @@ fn others(axis: &Axis) -> String {
     names.collect::<Vec<_>>().join(", ")
 }
 
-/// The input velocities of the stages.
+/// The input velocities of the stages, and of a spindle that of the changeover.
 fn signals(axis: &Axis, is_inside: bool) -> Vec<Signal> {
     let is_read = |name: &str| axis.ipc.stage.iter().flatten().any(|stage| stage.mode.source() == name);
-    let command = match is_inside {
-        true => "the block itself",
-        false => "the position controller with feedforward, before `v_add` is added",
+    let (of_command, command) = match (axis.control.commands_by_position(), is_inside) {
+        (true, true) => ("v_command", "the block itself"),
+        (true, false) => ("v_command", "the position controller with feedforward, before `v_add` is added"),
+        (false, true) => ("v_interpolator", "the interpolator"),
+        (false, false) => ("v_command", "the interpolator"),
     };
-    let known = [("v_command", command), ("v_motor", "the motor encoder"), ("v_direct", "the direct measuring system")];
-    let read = known.into_iter().filter(|(name, _)| is_read(name));
-    read.map(|(name, meaning)| Signal { name, meaning }).collect()
+    let is_spindle = is_inside && axis.control.spindle.is_some();
+    let known = [
+        (is_read("v_command"), of_command, command),
+        (is_read("v_motor"), "v_motor", "the motor encoder"),
+        (is_read("v_direct"), "v_direct", "the direct measuring system"),
+        (is_spindle, "v_actual", "the actual velocity, for the changeover"),
+    ];
+    known.into_iter().filter(|(is_read, ..)| *is_read).map(|(_, name, meaning)| Signal { name, meaning }).collect()
 }

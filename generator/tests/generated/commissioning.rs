@@ -152,7 +152,7 @@ fn a_block_that_holds_the_others_is_the_one_to_call() {
     assert_says(
         &page,
         &[
-            "The block `axis_x_axis` holds the block `axis_x_ipc`. Call `axis_x_axis` only.",
+            "The block `axis_x_axis` contains the block `axis_x_ipc`. Call `axis_x_axis` only.",
             "do not add `v_add` once more",
             "`manipulated_variable` must have the sign of\nthe velocity command that the drive receives, and be within 2 %",
             "to the drive only with `x_command` equal to `x_actual` and `feedforward_active` FALSE.\nThere is no ramp",

@@ -54,7 +54,7 @@ fn another_axis_changes_only_what_lists_all_axes() {
 /// the block that has it.
 #[test]
 fn a_weight_changes_its_own_lines_only() {
-    let heavier = with("weight_fact_num = 80", "weight_fact_num = 81");
+    let heavier = with("weight_fact_num = 80", "weight_fact_num = 82");
     let (before, after) = (files(MACHINE), files(&heavier));
     let changed = differing(&before, &after);
     assert_eq!(changed, of_ipc("y"));
@@ -67,7 +67,7 @@ fn a_weight_changes_its_own_lines_only() {
         assert_eq!(digests, 2, "{name}: parameters and body");
         for line in lines {
             let says_the_weight =
-                ["weight", "-0.81", "the stage adds", sum_limit].iter().any(|word| line.contains(word));
+                ["weight", "-0.82", "the stage adds", sum_limit].iter().any(|word| line.contains(word));
             let is_expected =
                 line.trim_start().starts_with("0x") || line.contains("UINT32_C(0x") || line.contains("expected_");
             let is_certified =

@@ -12,7 +12,7 @@ fn of_the_rack_and_pinion_example() {
     assert_eq!(
         lines,
         [
-            "range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15: \
+            "range: |v| <= 530000 um/s gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15: \
              4.355187e15, within double precision",
             "stage[0] at 53 Hz: designed 3 at 180 deg, measured 3 at 180 deg; at 50.41374 Hz: designed 2.12132 at -135 deg, \
              measured 2.12132 at -135 deg; at 55.71374 Hz: designed 2.12132 at 135 deg, measured 2.12132 at 135 deg",
@@ -31,8 +31,8 @@ fn of_single_precision() {
     assert!(lines[0].ends_with("within single precision"), "{}", lines[0]);
     assert_eq!(
         lines[4],
-        "signal-to-noise ratio in single precision, of a vibration of 1060 at f0 while the axis moves at 530000: stage[0] 129 dB, \
-         stage[1] 93 dB"
+        "signal-to-noise ratio in single precision, of a vibration of 1060 at f0 while the axis moves at 530000 um/s: \
+         stage[0] 129 dB, stage[1] 93 dB"
     );
 }
 

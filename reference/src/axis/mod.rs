@@ -53,11 +53,11 @@ pub struct Coeffs<R> {
     pub counts_turns: bool,
     /// largest velocity below 180 deg / T [0.001 deg/s]
     pub v_largest: R,
-    /// with parameter sets: largest |v_add| of any set
+    /// with parameter sets: largest |v_add| of any set [um/s or 0.001 deg/s]
     pub largest_v_add: R,
-    /// gantry slave: largest |v_add| of the master
+    /// gantry slave: largest |v_add| of the master [um/s or 0.001 deg/s]
     pub master_limit: R,
-    /// -master_limit
+    /// -master_limit [um/s or 0.001 deg/s]
     pub master_lower_limit: R,
     /// feedforward
     pub feedforward: feedforward::Coeffs<R>,

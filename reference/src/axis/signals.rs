@@ -11,7 +11,7 @@ macro_rules! inputs {
         #[portable]
         #[derive(Clone, Copy, Debug, Default)]
         pub struct Inputs<R> {
-            /// command position of the interpolator, on the same turn as x_actual [um or 0.001 deg]
+            /// command position of the interpolator, on the turn of the actual position [um or 0.001 deg]
             pub x_command: R,
             /// actual position, on the same turn as x_command [um or 0.001 deg]
             pub x_actual: R,
@@ -45,7 +45,7 @@ macro_rules! inputs {
             pub feedforward_percentage: i32,
             /// FALSE: the axis is not in position control: all outputs are 0 at once, and x_drive, if the drive has the
             /// position controller, follows x_command. The first cycle with TRUE acts in full, without a ramp: x_command
-            /// must be at x_actual
+            /// must be at the actual position
             pub position_controlled: bool,
             /// while TRUE all outputs are 0; x_drive, if the drive has the position controller, follows x_command; hold it
             /// while positions are set (homing)
@@ -71,15 +71,15 @@ macro_rules! outputs {
         #[portable]
         #[derive(Clone, Copy, Debug, Default)]
         pub struct Outputs<R> {
-            /// output of the position controller with feedforward, before v_add is added; for monitoring, the outputs to the
-            /// drive contain v_add [um/s or 0.001 deg/s]
+            /// output of the position controller, with feedforward if the axis has one, before v_add is added; for
+            /// monitoring, the outputs to the drive contain v_add [um/s or 0.001 deg/s]
             pub v_command: R,
             /// conventional feedforward [um/s or 0.001 deg/s]
             pub v_feedforward: R,
-            /// additive velocity of improved position control, to be wired to v_add_master of gantry slaves [um/s or 0.001
-            /// deg/s]
+            /// additive velocity of improved position control; gantry master: to be wired to v_add_master of each slave;
+            /// gantry slave: that of the master, within its limit [um/s or 0.001 deg/s]
             pub v_add: R,
-            /// v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [um/s or 0.001 deg/s]
+            /// v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF; gantry slave: v_add [um/s or 0.001 deg/s]
             pub v_add_calculated: R,
             /// position control in the drive: the position command of the drive [um or 0.001 deg]
             pub x_drive: R,
@@ -92,7 +92,8 @@ macro_rules! outputs {
             /// additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]
             pub additive_velocity: i32,
             /// reason of the fault; of several faults, improved position control comes before feedforward, position control;
-            /// cycle_time, x_command and x_actual stop the axis, the others stop the part that reads the input: 0 none
+            /// cycle_time, x_command and x_actual set all outputs to 0, and x_drive, if the drive has the position
+            /// controller, follows x_command or holds its last valid one; the others stop the part that reads the input: 0 none
             pub error_id: u32,
             /// an output is at its limit, or at the end of the range of its process-data type, in this cycle
             pub limited: bool,

@@ -46,11 +46,11 @@ pub struct Coeffs<R> {
     pub slave: bool,
     /// the stages
     pub stage: [stage::Coeffs<R>; STAGES],
-    /// largest |v_add|
+    /// largest |v_add| [um/s or 0.001 deg/s]
     pub limit: R,
-    /// -limit
+    /// -limit [um/s or 0.001 deg/s]
     pub lower_limit: R,
-    /// largest magnitude of the sum of the stages; a larger sum is a fault
+    /// largest magnitude of the sum of the stages; a larger sum is a fault [um/s or 0.001 deg/s]
     pub sum_limit: R,
     /// a sum up to this magnitude is set to 0, so that the output at rest is exactly 0
     pub rest: R,

@@ -10,11 +10,11 @@ use portable::{Real, copy, portable};
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Numbers<R> {
-    /// largest |v_add|
+    /// largest |v_add| [um/s or 0.001 deg/s]
     pub limit: R,
-    /// -limit
+    /// -limit [um/s or 0.001 deg/s]
     pub lower_limit: R,
-    /// largest magnitude of the sum of the stages; a larger sum is a fault
+    /// largest magnitude of the sum of the stages; a larger sum is a fault [um/s or 0.001 deg/s]
     pub sum_limit: R,
     /// the watch over the loop
     pub watch: watch::Numbers<R>,
@@ -27,15 +27,15 @@ pub struct Numbers<R> {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Params<R> {
     /// id of the block structure that the set fits: axis, stages, modes, filters, real type, cycle time, fade, ride_through,
-    /// watch
+    /// watch, cycle_counter
     pub structure: u32,
     /// number of the set, its check word, never 0; a number other than that of the set in use offers this set to the block
     pub set_id: u32,
-    /// largest |v_add|; at most the limit that the block was generated with
+    /// largest |v_add|; at most the limit that the block was generated with [um/s or 0.001 deg/s]
     pub limit: R,
-    /// -limit
+    /// -limit [um/s or 0.001 deg/s]
     pub lower_limit: R,
-    /// largest magnitude of the sum of the stages; a larger sum is a fault
+    /// largest magnitude of the sum of the stages; a larger sum is a fault [um/s or 0.001 deg/s]
     pub sum_limit: R,
     /// the watch over the loop
     pub watch: watch::Numbers<R>,

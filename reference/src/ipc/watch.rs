@@ -27,6 +27,7 @@ pub struct Coeffs<R> {
     /// score at which the watch trips: a block at both limits that does not decay adds 2, a growing block adds 1
     pub alarm: u32,
     /// smallest span from which growth counts: limit / 50, so that the start of a move does not count as growth
+    /// [um/s or 0.001 deg/s]
     pub quiet: R,
 }
 
@@ -35,6 +36,7 @@ pub struct Coeffs<R> {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Numbers<R> {
     /// smallest span from which growth counts: limit / 50, so that the start of a move does not count as growth
+    /// [um/s or 0.001 deg/s]
     pub quiet: R,
 }
 

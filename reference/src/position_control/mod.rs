@@ -86,7 +86,7 @@ pub struct State<R> {
     pub preset: bool,
     /// delay of the position command relative to the feedforward
     pub shift: delay::State<R>,
-    /// the last position command of the drive
+    /// the last position command of the drive [um or 0.001 deg]
     pub x_held: R,
     /// the rate of the calls
     pub call_rate: call_rate::State,

@@ -77,7 +77,7 @@ pub struct Outputs<R> {
     pub velocity_command: i32,
     /// an error of this cycle, or one that stays until reset: 0 none
     pub error_id: u32,
-    /// state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and
+    /// state POSITION, and the interpolator moves the spindle: improved position control may act, position lag and
     /// position may be monitored
     pub loop_closed: bool,
     /// velocity_command is limited to the range of its process-data type in this cycle

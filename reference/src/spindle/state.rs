@@ -49,7 +49,7 @@ pub struct Coeffs<R> {
     pub closes_loop: bool,
     /// deceleration * T: largest change of the velocity in a cycle [0.001 deg/s]
     pub v_step: R,
-    /// largest velocity below 180 deg / T: a drive can tell its direction [0.001 deg/s]
+    /// largest velocity below 180 deg / T, up to which a drive distinguishes the direction [0.001 deg/s]
     pub v_largest: R,
     /// lead of the position command over the actual position where position control begins [s]
     pub lead_time: R,
@@ -61,8 +61,8 @@ pub struct Coeffs<R> {
     pub lead_time_per_percent: R,
     /// largest step of the position command when the interpolator takes over, without an acceleration [0.001 deg]
     pub takeover_window: R,
-    /// deceleration T^2 / 2: by n (n + 1) times this way an interpolator that accelerates is further n cycles after the last
-    /// valid sample [0.001 deg]
+    /// deceleration T^2 / 2: n cycles after the last valid sample, an accelerating interpolator is n (n + 1) times this
+    /// distance further [0.001 deg]
     pub takeover_way: R,
     /// cycles within which the drive displays a new mode
     pub mode_cycles: u32,

@@ -62,7 +62,7 @@ macro_rules! inputs {
             pub feedforward_active: bool,
             /// weight of G136 [%], limited to 0..100
             pub feedforward_percentage: i32,
-            /// CNC reset, a level: the spindle goes back to position control and stops; while TRUE v_add is 0
+            /// CNC reset, a level: the spindle goes back to position control and stops; while TRUE nothing is added
             pub reset: bool,
             /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
             pub task_cycle_ns: u32,
@@ -93,8 +93,9 @@ macro_rules! outputs {
             pub job_speed: R,
             /// target of the job M19 [0.001 deg]
             pub job_position: R,
-            /// output of the position controller with feedforward, before v_add is added, held while a sample is missing;
-            /// v_spindle where the loop is open; for monitoring, the outputs to the drive contain v_add [0.001 deg/s]
+            /// output of the position controller, with feedforward if the axis has one, before v_add is added, held while a
+            /// sample is missing; v_spindle where the loop is open; for monitoring, the outputs to the drive contain v_add
+            /// [0.001 deg/s]
             pub v_command: R,
             /// conventional feedforward [0.001 deg/s]
             pub v_feedforward: R,
@@ -115,7 +116,8 @@ macro_rules! outputs {
             pub waiting: u32,
             /// the operation mode that the drive is to take: SERCOS S-0-0134, CANopen 6060h
             pub operation_mode: i32,
-            /// v_spindle as process data of the drive: SERCOS S-0-0036, CANopen 60FFh [increments]
+            /// v_spindle less the velocity in additive_velocity, as process data of the drive: SERCOS S-0-0036, CANopen
+            /// 60FFh [increments]
             pub velocity_command: i32,
             /// position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments]
             pub manipulated_variable: i32,

@@ -50,7 +50,7 @@ pub(super) fn details(designed: &Designed) -> Details {
 /// The ratio of a vibration to the roundings of single precision.
 fn precision(stages: &[&StageDesign], axis: &Axis) -> String {
     let ratios = stages.iter().map(|stage| (stage.index, noise::of_design(stage)));
-    noise::text(&ratios.collect::<Vec<_>>(), axis.ipc.v_max)
+    noise::text(&ratios.collect::<Vec<_>>(), axis.ipc.v_max, axis.control.velocity_unit())
 }
 
 /// The stages with their numbers and verdicts.

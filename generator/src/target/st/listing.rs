@@ -83,6 +83,11 @@ impl Listing {
         self.inputs.iter().any(|input| input.name == name)
     }
 
+    /// Whether it has an output of this name.
+    pub(super) fn has_output(&self, name: &str) -> bool {
+        self.outputs.iter().any(|output| output.name == name)
+    }
+
     /// Whether an input has a start value other than 0 or FALSE.
     pub(super) fn starts_inputs(&self) -> bool {
         self.inputs.iter().any(|input| !["", "0", "0.0", "FALSE"].contains(&&*input.value))

@@ -17,22 +17,21 @@ pub(crate) fn lines(certificate: &Certificate) -> Vec<String> {
         |deviation| format!("largest deviation of measured from designed: {deviation:.1e}"),
     ));
     if !certificate.noise.is_empty() {
-        lines.push(noise::text(&certificate.noise, certificate.v_max));
+        lines.push(noise::text(&certificate.noise, certificate.v_max, certificate.unit));
     }
     lines
 }
 
 /// The proven bound of the sum before the limit; `None` if the block adds nothing, or if no bound is proven.
 pub(crate) fn figure(certificate: &Certificate) -> Option<Figure> {
-    let Certificate { real, v_max, limit, bound, .. } = certificate;
+    let Certificate { real, unit, v_max, limit, bound, .. } = certificate;
     let value = bound.v_sum * v_max;
-    let doc =
-        format!("guaranteed bound of |v_add| before the limit, for |v| <= {} [um/s or 0.001 deg/s]", digits(*v_max));
+    let doc = format!("guaranteed bound of |v_add| before the limit, for |v| <= {} [{unit}]", digits(*v_max));
     (*limit > 0.0 && value.is_finite()).then(|| Figure { name: "BOUND", doc, value: at_least(value, *real) })
 }
 
 fn range(certificate: &Certificate) -> String {
-    let Certificate { real, v_max, limit, bound, .. } = certificate;
+    let Certificate { real, unit, v_max, limit, bound, .. } = certificate;
     if !bound.state.is_finite() || !bound.v_sum.is_finite() {
         return "range: no guaranteed bound, because a section is so weakly damped that its rounding errors can accumulate".to_owned();
     }
@@ -43,7 +42,7 @@ fn range(certificate: &Certificate) -> String {
     };
     let sample_limit = sample_limit(*real);
     format!(
-        "range: {muted}|v| <= {} gives {v_add}no |state| above {}; for |v| <= {}: {}, {} {} precision",
+        "range: {muted}|v| <= {} {unit} gives {v_add}no |state| above {}; for |v| <= {}: {}, {} {} precision",
         digits(*v_max),
         digits(bound.state * v_max),
         digits(sample_limit),

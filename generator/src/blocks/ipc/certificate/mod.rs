@@ -29,9 +29,11 @@ use response::{Band, Point};
 /// The proven properties of a block.
 pub(crate) struct Certificate {
     pub real: RealKind,
-    /// largest velocity of the axis [um/s or 0.001 deg/s] (P-AXIS-00212)
+    /// unit of the velocities
+    pub unit: &'static str,
+    /// largest velocity of the axis (P-AXIS-00212)
     pub v_max: f64,
-    /// largest |v_add|, in the same unit (P-AXIS-00757)
+    /// largest |v_add| (P-AXIS-00757)
     pub limit: f64,
     /// for inputs within +-1: every bound is proportional to the inputs
     pub bound: norm::Bound,
@@ -59,6 +61,7 @@ pub(crate) fn certify(designed: &Designed, program: &Program) -> Certificate {
     let noise = noise.filter_map(|(stage, chain)| Some((stage.index, noise::of_chain(chain, stage)?))).collect();
     Certificate {
         real: *real,
+        unit: designed.axis.control.velocity_unit(),
         v_max: ipc.v_max,
         limit: ipc.limit(),
         bound: norm::bounds(&chains, *real),

@@ -41,11 +41,11 @@ pub(crate) fn of_design(design: &StageDesign) -> f64 {
 }
 
 /// The signal-to-noise ratios of stages, by their indices, in words.
-pub(crate) fn text(stages: &[(usize, f64)], v_max: f64) -> String {
+pub(crate) fn text(stages: &[(usize, f64)], v_max: f64, unit: &str) -> String {
     let stage = |(stage, ratio): &(usize, f64)| format!("stage[{stage}] {} dB", decimals(ratio.floor(), 0));
     let ratios: Vec<_> = stages.iter().map(stage).collect();
     let (v_max, vibration) = (digits(v_max), digits(v_max * VIBRATION));
-    let of = format!("of a vibration of {vibration} at f0 while the axis moves at {v_max}");
+    let of = format!("of a vibration of {vibration} at f0 while the axis moves at {v_max} {unit}");
     format!("signal-to-noise ratio in single precision, {of}: {}", ratios.join(", "))
 }
 
