@@ -87,8 +87,8 @@ codes! {
         "A parameter set is for the block of an axis with the key `tunable = \"all\"`. The set of parameters that the block on \
          the machine was generated from must have the key, and the new one too. Add it to both, and generate the block anew.";
     OTHER_STRUCTURE = "AX021", "a parameter set for another block",
-        "The real type, the cycle time, the fade in cycles, the stages, their modes and filters and the cycles of the watch are \
-         the structure of a block: it refuses a set of another structure with error_id 6. Generate the block anew. A lower f0 \
+        "The real type, the cycle time, the fade in cycles, the stages, their modes and filters, the cycles of the watch and of \
+         ride_through, cycle_counter, and whether the axis is a gantry slave are the structure of a block: it refuses a set of another structure with error_id 6. Generate the block anew. A lower f0 \
          than before can make the fade longer, which is one period of the lowest f0 at least: with the key `fade` large enough \
          in both sets, other frequencies are a matter of a parameter set.";
     SET_REFUSED = "AX022", "a parameter set that the block refuses",
@@ -481,8 +481,8 @@ codes! {
          time in `limited`. Give the datum INT32, or scale it with fewer increments.";
     RESONANCE = "AX436", "a simulated oscillation with little damping",
         "In the mode INDIRECT the simulated oscillation has sqrt(1 + 1 / (4 D^2)) times its input at f0, which the weight \
-         multiplies: more than 14 times the motor's velocity is fed back. Lower the damping ratio slowly, with a small weight, \
-         and look at the additive velocity in DRYRUN first.";
+         multiplies: more than 14 times the motor's velocity is fed back. Take a larger damping ratio or a smaller weight, and look \
+         at v_add_calculated in DRYRUN first.";
     CAPPED = "AX437", "a weight above the cap",
         "The controller caps a weight (P-AXIS-00754/00755) above 7 at 7, without a message. Usually the denominator is \
          missing and therefore 1: 700 is meant as 700/100.";

@@ -36,7 +36,7 @@ pub fn lines(old: &[Designed], new: &[Designed]) -> (Vec<String>, bool) {
 fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     let caps = |of: &Designed| of.axis.ipc.stage.each_ref().map(|stage| stage.as_ref().map(Stage::cap));
     if coefficients(old) == coefficients(new) && caps(old) == caps(new) {
-        return Vec::new();
+        return blocks::differences(&surroundings(old), &surroundings(new));
     }
     let mut lines = blocks::differences(&effects(old), &effects(new));
     lines.extend(BLOCKS.into_iter().flat_map(|kind| kind.differences(old, new)));
@@ -93,16 +93,25 @@ fn by_set(old: &Designed, new: &Designed) -> Option<String> {
 fn effects(of: &Designed) -> Effects {
     let values = [
         ("cycle time", Effect::Number(cycle_time(of), " us")),
-        ("axis type", Effect::Words(axis_type(of).name().to_owned())),
         ("v_max", Effect::Number(of.axis.ipc.v_max, "")),
         ("real type", Effect::Words(of.axis.real_name().to_owned())),
         ("calls", Effect::Words(of.axis.calls().to_owned())),
         ("blocks", Effect::Words(blocks::names(&of.axis).join(", "))),
     ];
-    values.into_iter().map(|(what, value)| (what.to_owned(), value)).collect()
+    let own = values.into_iter().map(|(what, value)| (what.to_owned(), value));
+    own.chain(surroundings(of)).collect()
 }
 
-fn axis_type(of: &Designed) -> AxisType {
+/// What no coefficient shows: the unit of the signals, and whose v_add a gantry slave gets.
+fn surroundings(of: &Designed) -> Effects {
+    let master = of.axis.control.master.map_or_else(|| "none".to_owned(), |number| format!("axis {number}"));
+    let slaves = &of.axis.control.slaves;
+    let slaves = if slaves.is_empty() { "none".to_owned() } else { slaves.join(", ") };
+    let values = [("axis type", axis_type(of).name().to_owned()), ("gantry master", master), ("gantry slaves", slaves)];
+    values.into_iter().map(|(what, value)| (what.to_owned(), Effect::Words(value))).collect()
+}
+
+pub(crate) fn axis_type(of: &Designed) -> AxisType {
     match (of.axis.control.is_spindle, of.axis.control.is_rotary) {
         (true, _) => AxisType::Spindle,
         (false, true) => AxisType::Rotator,

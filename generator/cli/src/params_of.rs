@@ -9,6 +9,7 @@ use crate::one_file::{self, Rule};
 use commands::refused;
 use commands::words::made;
 use generator::codes;
+use generator::config;
 use generator::diagnostics::{Diagnostic, Place, Slashes};
 use generator::params_of::{self, Form};
 
@@ -19,7 +20,8 @@ pub fn run(of: &ParamsOfArguments, format: Format) -> Result<Exit, Exit> {
         Form::named(form).ok_or_else(|| refused::no_such("--as", "form", form, &Form::ALL.map(|(name, _)| name)))?;
     one_file::kept_apart(to.out.as_deref(), [arguments.set.as_path(), on.as_path()])?;
     let options = arguments.list.options(Vec::new());
-    let (before, after) = diff::both(on, &arguments.set, &options, format)?;
+    let versions = commands::diff::read_for_set([on, &arguments.set], &options, &config::load);
+    let (before, after) = diff::both(versions, format)?;
     let new = commands::axis(&after, axis.as_deref())?;
     let old = before.axes.iter().find(|of| of.axis.name == new.axis.name).ok_or_else(|| {
         let names: Vec<&str> = before.axes.iter().map(|of| of.axis.name.as_str()).collect();

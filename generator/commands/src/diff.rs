@@ -18,12 +18,28 @@ pub struct Changes {
 /// A version of a set, with its messages.
 pub type Version = (Option<Set>, Report);
 
+/// How a version is read.
+type Reader = fn(&Path, &ListOptions, Load<'_>) -> Version;
+
 /// Reads two versions of axes. `options` are for axis lists. An unstable version can be compared, too: usually with one that
 /// is stable.
 pub fn read(files: [&Path; 2], options: &ListOptions, load: Load<'_>) -> [Version; 2] {
+    read_by([pipeline::read_to_look_at; 2], files, options, load)
+}
+
+/// Reads the block on the machine and the set that it is to get, which then acts: an unstable set that is enabled is refused.
+pub fn read_for_set(files: [&Path; 2], options: &ListOptions, load: Load<'_>) -> [Version; 2] {
+    read_by([pipeline::read_to_look_at, pipeline::read_with], files, options, load)
+}
+
+fn read_by(by: [Reader; 2], files: [&Path; 2], options: &ListOptions, load: Load<'_>) -> [Version; 2] {
     let some_list = files.iter().any(|file| !is_set(file));
     let none = ListOptions::default();
-    files.map(|file| pipeline::read_to_look_at(file, if is_set(file) && some_list { &none } else { options }, load))
+    let read = |k: usize| {
+        let file = files[k];
+        by[k](file, if is_set(file) && some_list { &none } else { options }, load)
+    };
+    [read(0), read(1)]
 }
 
 /// Compares two versions. Two lists are versions of one axis, even if their file names differ.

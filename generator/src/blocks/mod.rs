@@ -85,7 +85,7 @@ pub fn signals(name: &str) -> Vec<(&'static str, bool, &'static str)> {
     let mut found = Vec::new();
     for reference in references {
         for (fields, is_output) in reference.signals().into_iter().zip([false, true]) {
-            let doc = meaning(fields, "", &without_indices(name));
+            let doc = meaning(fields, "", name);
             let is_known = found.iter().any(|(block, of, _)| (*block, *of) == (reference.name(), is_output));
             found.extend(doc.filter(|_| !is_known).map(|doc| (reference.name(), is_output, doc)));
         }
@@ -93,19 +93,25 @@ pub fn signals(name: &str) -> Vec<(&'static str, bool, &'static str)> {
     found
 }
 
-/// The meaning of the field that has this name without indices, among those of a struct and of the structs within it.
+/// The meaning of the field that has this name, among those of a struct and of the structs within it.
 fn meaning(fields: &'static [Field], before: &str, wanted: &str) -> Option<&'static str> {
     fields.iter().find_map(|field| {
-        let name = format!("{before}{}", without_indices(field.name));
-        let is_wanted = name.eq_ignore_ascii_case(wanted);
+        let name = format!("{before}{}", field.name);
+        let is_wanted = is_named(wanted, &name);
         is_wanted.then_some(field.doc).or_else(|| meaning(products::fields(&field.ty), &format!("{name}_"), wanted))
     })
 }
 
-/// A name without the digits at the end of each of its parts.
-fn without_indices(name: &str) -> String {
-    let parts = name.split(['_', '.']).map(|part| part.trim_end_matches(|letter: char| letter.is_ascii_digit()));
-    parts.collect::<Vec<_>>().join("_")
+/// Whether a written name is that of a field, with or without the indices of the arrays above it: `tuning_weight0`.
+fn is_named(written: &str, name: &str) -> bool {
+    let [written, name] = [written, name].map(|name| name.split(['_', '.']));
+    let is_digit = |letter: char| letter.is_ascii_digit();
+    // Digits of the name itself are no index: m3 and m4 are two signals.
+    let is_part = |(written, name): (&str, &str)| {
+        written.eq_ignore_ascii_case(name)
+            || !name.ends_with(is_digit) && written.trim_end_matches(is_digit).eq_ignore_ascii_case(name)
+    };
+    written.clone().count() == name.clone().count() && written.zip(name).all(is_part)
 }
 
 /// The blocks of an axis, ready to be printed.

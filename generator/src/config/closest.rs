@@ -7,13 +7,19 @@ use std::sync::LazyLock;
 /// Longer names are not compared: the cost grows with the square.
 const LONGEST: usize = 128;
 
-/// The candidate with the fewest differing letters, if they are few.
+/// The candidate with the fewest differing letters, if they are few: the first of equals.
 pub(crate) fn nearest<'c>(name: &str, candidates: impl Iterator<Item = &'c str>) -> Option<&'c str> {
+    all_nearest(name, candidates).into_iter().next()
+}
+
+/// The candidates with the fewest differing letters, if they are few, in their order.
+pub(crate) fn all_nearest<'c>(name: &str, candidates: impl Iterator<Item = &'c str>) -> Vec<&'c str> {
     let few = 1 + name.len() / 4;
     let name = Letters::new(name);
     let near = candidates.filter_map(|candidate| Some((distance(name, Letters::new(candidate), few)?, candidate)));
-    // The first of equals: the order of the candidates does not depend on the host.
-    near.min_by_key(|(distance, _)| *distance).map(|(_, name)| name)
+    let near: Vec<_> = near.collect();
+    let least = near.iter().map(|(distance, _)| *distance).min();
+    near.into_iter().filter(|(distance, _)| Some(*distance) == least).map(|(_, name)| name).collect()
 }
 
 /// The path that a path was probably meant to be: it differs in a few letters, or has the same end; for a table usually a
@@ -119,28 +125,34 @@ pub(crate) fn is_ours(parts: [&str; 2]) -> bool {
     })
 }
 
-/// The path of axgen's that differs from a path of another function in a letter, or in two of a long name, and in nothing else.
-/// `length`: that of the path without the numbers of its indices; `end`: the name of its last part.
-pub(crate) fn nearly(written: &str, length: usize, end: &str) -> Option<String> {
+/// The paths of axgen's that differ from a path of another function in a letter, or in two of a long name, and in nothing else:
+/// those that differ least. `length`: that of the path without the numbers of its indices; `end`: the name of its last part.
+pub(crate) fn nearly(written: &str, length: usize, end: &str) -> Vec<String> {
     let most = if end.len() < LONG { 1 } else { MOST };
     let [first, last] = &*DRAWERS;
     let drawers = [&first[first_letters(written, end)], &last[last_letters(written)]];
     // The usual case, tested first.
-    let bit = 1_u128.checked_shl(u32::try_from(length).ok()?)?;
+    let bit = u32::try_from(length).ok().and_then(|length| 1_u128.checked_shl(length)).unwrap_or(0);
     if drawers.iter().all(|drawer| drawer.lengths & bit == 0) {
-        return None;
+        return Vec::new();
     }
     let paths = drawers.into_iter().flat_map(|drawer| &drawer.paths);
     let alike = paths.filter(|of| of.whole.text.len().abs_diff(length) <= most);
     // Each letter of difference changes the set by two letters at most.
     let letters = set_of_letters(written);
     let mut alike = alike.filter(|of| (of.letters ^ letters).count_ones() as usize <= 2 * most).peekable();
-    alike.peek()?;
+    if alike.peek().is_none() {
+        return Vec::new();
+    }
     let plain = path::without_indices(written);
     let is_comparable = |of: &&&Candidate| end.len() >= SHORT || end == of.end.text || is_doubled(end, of.end.text);
     let near = alike.filter(is_comparable);
     let near = near.filter_map(|of| Some((distance(Letters::new(&plain), of.whole, most)?, of.template)));
-    near.min_by_key(|(distance, _)| *distance).map(|(_, template)| with_indices_of(template, written))
+    let mut near: Vec<_> = near.collect();
+    let least = near.iter().map(|(distance, _)| *distance).min();
+    near.retain(|(distance, _)| Some(*distance) == least);
+    near.dedup();
+    near.into_iter().map(|(_, template)| with_indices_of(template, written)).collect()
 }
 
 /// The path of axgen's that a path without its first part is, or that has the same stage below `lr_param`:
@@ -289,7 +301,8 @@ impl<'n> Letters<'n> {
     }
 }
 
-/// Number of letters to change, add or remove (Levenshtein), regardless of case; `None` if it is above `most`.
+/// Number of letters to change, add, remove or exchange with their neighbours (optimal string alignment), regardless of case;
+/// `None` if it is above `most`.
 fn distance(a: Letters<'_>, b: Letters<'_>, most: usize) -> Option<usize> {
     let lengths = [a.text.len(), b.text.len()];
     let is_far = lengths[0].abs_diff(lengths[1]) > most || lengths.iter().any(|length| *length > LONGEST);
@@ -303,7 +316,8 @@ fn distance(a: Letters<'_>, b: Letters<'_>, most: usize) -> Option<usize> {
     let (a, b) = (&a[start..], &b[start..]);
     let end = a.iter().rev().zip(b.iter().rev()).take_while(is_alike).count();
     let (a, b) = (&a[..a.len() - end], &b[..b.len() - end]);
-    let distance = strsim::generic_levenshtein(&a.to_ascii_lowercase(), &b.to_ascii_lowercase());
+    let [a, b] = [a, b].map(|name| String::from_utf8_lossy(&name.to_ascii_lowercase()).into_owned());
+    let distance = strsim::osa_distance(&a, &b);
     Some(distance).filter(|distance| *distance <= most)
 }
 
@@ -328,8 +342,7 @@ mod tests {
                 let length = random.below(9);
                 (0..length).map(|_| char::from(b"abAB_1q"[random.below(7)])).collect::<String>()
             });
-            let small = [&a, &b].map(|name| name.to_ascii_lowercase().into_bytes());
-            let expected = strsim::generic_levenshtein(&small[0], &small[1]);
+            let expected = strsim::osa_distance(&a.to_ascii_lowercase(), &b.to_ascii_lowercase());
             for most in 0..9 {
                 let found = distance(Letters::new(&a), Letters::new(&b), most);
                 assert_eq!(found, Some(expected).filter(|d| *d <= most), "{a} {b} {most}");

@@ -228,7 +228,9 @@ impl Reading<'_> {
             None if !structure.is_some_and(closest::is_ours) => {
                 self.list.foreign.pass_over(statement, last, source, start);
                 let below = || structure.and_then(|structure| closest::below_another(written, structure));
-                if let Some(known) = closest::nearly(written, length, last).or_else(below) {
+                let mut known = closest::nearly(written, length, last);
+                known.extend(below());
+                if !known.is_empty() {
                     self.list.foreign.nearly.push((written.to_owned(), known, place()));
                 }
                 if structure.is_some() || !statement.value.contains(' ') || statement.value.starts_with('=') {

@@ -16,8 +16,8 @@ pub(crate) struct OtherFunctions {
     /// the number of skipped parameters
     pub(crate) count: usize,
     looked_at: BTreeMap<String, Found>,
-    /// paths that differ in a letter or two, or by the structures above, from one of axgen's, which follows
-    pub(super) nearly: Vec<(String, String, Place)>,
+    /// paths that differ in a letter or two, or by the structures above, from some of axgen's, which follow
+    pub(super) nearly: Vec<(String, Vec<String>, Place)>,
 }
 
 /// The value of a skipped parameter.
@@ -46,14 +46,14 @@ impl OtherFunctions {
     /// Warnings of paths that are nearly those of parameters without a value. Other functions have similar names: where the
     /// parameter is given, its neighbour is none that was mistyped.
     pub(crate) fn mistyped(&self, values: &Values) -> Vec<Diagnostic> {
-        let is_missing = |known: &str| match path::find(known) {
+        let is_missing = |known: &&String| match path::find(known) {
             Path::Known { name, index, .. } => values.get((name, index)).is_none(),
             _ => false,
         };
-        let of_missing = self.nearly.iter().filter(|(_, known, _)| is_missing(known));
-        let said = of_missing.map(|(written, known, place)| {
+        let said = self.nearly.iter().filter_map(|(written, known, place)| {
+            let known = known.iter().find(is_missing)?;
             let found = format!("{} is passed over, and `{known}` is not given", value::shown(written));
-            Diagnostic::warning(codes::NEARLY, place.clone(), found).instead(format!("{known}, if it is meant"))
+            Some(Diagnostic::warning(codes::NEARLY, place.clone(), found).instead(format!("{known}, if it is meant")))
         });
         said.collect()
     }

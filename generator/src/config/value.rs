@@ -125,7 +125,8 @@ fn of_word(parameter: &Parameter, words: &'static [Word], text: &str) -> Result<
         code: codes::WORD,
         found: format!("is {}", shown(text)),
         allowed: parameter.allowed(),
-        instead: closest::nearest(text, words.iter().map(|word| word.name)).map(str::to_owned),
+        instead: Some(closest::all_nearest(text, words.iter().map(|word| word.name)).join(" or "))
+            .filter(|of| !of.is_empty()),
     })
 }
 
@@ -224,7 +225,11 @@ pub(super) fn is_taken(parameter: &Parameter, text: &str) -> bool {
 
 /// The number that a text of a list with digit groups or a decimal comma means. A single point or comma may be either.
 pub(crate) fn meant_number(parameter: &Parameter, text: &str) -> Option<String> {
-    let point = text.trim_end_matches(',').replace([' ', '\t'], "").replace(',', ".");
+    // Only groups of three digits belong together: any other second number is a value of its own.
+    let closed = text.trim_end_matches(',').replace(" ,", ",").replace(", ", ",");
+    let (whole, decimals) = closed.split_at(closed.find(['.', ',']).unwrap_or(closed.len()));
+    let plain = grouped(whole, ' ').unwrap_or_else(|| whole.to_owned()) + decimals;
+    let point = plain.replace(',', ".");
     // `2000,0` is a whole number, which a parameter without decimals takes.
     let is_zero = |digits: &str| digits.bytes().all(|digit| digit == b'0');
     let point = match point.split_once('.').filter(|(_, digits)| is_zero(digits)) {

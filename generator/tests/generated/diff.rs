@@ -229,3 +229,29 @@ fn a_change_of_a_last_digit_is_still_one() {
         &["the coefficients differ by no more than their rounding"],
     );
 }
+
+/// No coefficient shows the unit of the signals, nor whose v_add a gantry slave gets.
+#[test]
+fn another_axis_type_and_another_master() {
+    let axis = |name: &str, keys: &str, stage: &str| {
+        format!(
+            "[axis.{name}]\ngetriebe = [{{ kv = 2000, multi_gain_z = 1, multi_gain_n = 1, dynamik.vb_max = 500000 }}]\n{keys}\n\
+             lr_param.improved_position_control = {{ v_add_max_fact = 50{stage} }}\n"
+        )
+    };
+    let stage = ", stage = [{ mode = \"DIRECT\", filter = [{ order = 1, fg_f0 = 53.0, q_factor = 10.0 }] }]";
+    let set = |kind: &str, master: u32| {
+        let masters = [("A", 1), ("B", 2)].map(|(name, number)| axis(name, &format!("kopf.achs_nr = {number}"), stage));
+        let slave = axis("S", &format!("kopf.achs_nr = 3\nkenngr.gantry_ax_nr = {master}"), "");
+        let other = axis("T", &format!("kopf.achs_nr = 4\nkenngr.achs_typ = \"ACHSTYP_{kind}\""), stage);
+        toml(&format!("cycle_time = \"1ms\"\n{}{slave}{other}", masters.concat()))
+    };
+    let lines = said(&set("TRANSLATOR", 1), &set("ROTATOR", 2));
+    let expected = [
+        "axis A: gantry slaves S -> none",
+        "axis B: gantry slaves none -> S",
+        "axis S: gantry master axis 1 -> axis 2",
+        "axis T: axis type ACHSTYP_TRANSLATOR -> ACHSTYP_ROTATOR",
+    ];
+    assert_eq!(lines, expected);
+}

@@ -95,7 +95,9 @@ fn a_limit_of_0_is_said_and_nothing_is_measured() {
     assert_eq!(certificate.deviation(), None);
     assert!(certificate.bound.state > 1.0);
     let lines = crate::blocks::ipc::certificate::lines(&certificate);
-    assert!(lines[0].starts_with("range: the limit is 0, v_add is always 0; |v| <= 530000 um/s gives no |state| above "));
+    assert!(
+        lines[0].starts_with("range: the limit is 0, v_add is always 0; |v| <= 530000 um/s gives no |state| above ")
+    );
     assert_eq!(lines[1], "response: not measured, a limit of 0 mutes the block (P-AXIS-00757)");
 }
 

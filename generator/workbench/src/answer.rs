@@ -205,7 +205,7 @@ fn parameters_of(session: &Session, of: &Subject, [axis, on, form]: [&str; 3]) -
         refused::no_such("form", "form", form, &known)
     })?;
     let load = load(&session.files);
-    let [(before, of_old), (after, of_new)] = diff::read([Path::new(on), of.path()], &of.options(), &load);
+    let [(before, of_old), (after, of_new)] = diff::read_for_set([Path::new(on), of.path()], &of.options(), &load);
     let (before, after) = (before.ok_or(of_old)?, after.ok_or(of_new)?);
     let (old, new) = (commands::axis(&before, Some(axis))?, commands::axis(&after, Some(axis))?);
     let report = params_of::check(new, old, [&of.set, on]);

@@ -209,6 +209,10 @@ fn what_the_manuals_name_besides_is_known() {
         assert_eq!(all.lines().filter(|line| line.starts_with(&format!("{name} "))).count(), 1, "{name}");
         assert_eq!(page.lines().filter(|line| line.starts_with(&format!("| {name} |"))).count(), 1, "{name}");
     }
+    // The digit of m3 is no index: m4 is another signal.
+    assert!(
+        ask("explain", "m4").contains("request: turn in negative direction") && ask("explain", "M5").contains("stop")
+    );
     for (short, name) in [("00405", "P-AXIS-00405"), ("00071", "P-CHAN-00071"), ("slope", "#SLOPE")] {
         assert_eq!(ask("params", short), ask("params", name));
     }
@@ -407,7 +411,7 @@ fn check_certifies_range_and_response() {
     let (_, out, _) = axgen(folder.path(), &["check", "axes.toml"]);
     assert!(!out.contains("range") && out.contains("\n  stage 0: weight 0.5; a drive that only delays "), "{out}");
     let (_, out, _) = axgen(folder.path(), &["check", "axes.toml", "--verbose"]);
-    assert!(out.contains("\n  range: |v| <= 500000 gives |v_add| <= "), "{out}");
+    assert!(out.contains("\n  range: |v| <= 500000 um/s gives |v_add| <= "), "{out}");
     assert!(out.contains("\n  stage[0] at 53 Hz: designed 0.5 at 180 deg, measured 0.5 at 180 deg; at "), "{out}");
 }
 

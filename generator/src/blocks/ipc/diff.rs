@@ -56,6 +56,9 @@ pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
 /// The values of an axis that has no older version.
 pub(crate) fn added(of: &Designed) -> Vec<String> {
     let ipc = &of.axis.ipc;
+    if let Some(master) = of.axis.control.master {
+        return vec![format!("gantry slave of axis {master}")];
+    }
     let mut lines = vec![format!(
         "limit {} ({} % of v_max), starts {}, fade {} s",
         significant(ipc.limit(), 7),
