@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  37d81c966bdf57258faadd5ae9237741
  * structure   60d8526f5db8a5fff33bb9878a1e5e28
- * checksum    12d75aba53aac17c96e6d34a342e8b22
+ * checksum    4a5a3a2e0eeaede8aac2a98804872901
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
@@ -139,11 +139,12 @@ AXGEN_CODE_SECTION void axis_x_axis_step(
     static const double ipc_stage1_gain = -1.9; /* -weight: negative, because the stage moves the motor against the vibration */
 
     /* largest |v_add| = 530000: 1000 * 0.1 % (P-AXIS-00757) of 530000 (P-AXIS-00212) */
-    static const double ipc_limit = 530000.0; /* largest |v_add| */
-    static const double ipc_lower_limit = -530000.0; /* -limit */
+    static const double ipc_limit = 530000.0; /* largest |v_add| [um/s] */
+    static const double ipc_lower_limit = -530000.0; /* -limit [um/s] */
 
     /* 2 times the bound of the sum for |v| <= P-AXIS-00212, at least 2 times the limit */
-    static const double ipc_sum_limit = 30803451.38467693; /* largest magnitude of the sum of the stages; a larger sum is a fault */
+    /* largest magnitude of the sum of the stages; a larger sum is a fault [um/s] */
+    static const double ipc_sum_limit = 30803451.38467693;
 
     /* rest threshold of the sum: P-AXIS-00212 * 2^-60 */
     /* a sum up to this magnitude is set to 0, so that the output at rest is exactly 0 */

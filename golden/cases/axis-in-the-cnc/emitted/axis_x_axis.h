@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  37d81c966bdf57258faadd5ae9237741
  * structure   60d8526f5db8a5fff33bb9878a1e5e28
- * checksum    0e75988776ad0c15deba0e0316614c44
+ * checksum    eed00cd71a4a8ea113b763a20e0db295
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -78,7 +78,7 @@ enum {
 
 /* Written by the caller. axis_x_axis_inputs_init writes the start values. */
 typedef struct {
-    double x_command; /* command position of the interpolator, on the same turn as x_actual [um]; start 0.0 */
+    double x_command; /* command position of the interpolator, on the turn of the actual position [um]; start 0.0 */
     double x_actual; /* actual position, on the same turn as x_command [um]; start 0.0 */
     double v_interpolator; /* velocity of the interpolator [um/s]; start 0.0 */
     double a_interpolator; /* acceleration of the interpolator [um/s^2]; start 0.0 */
@@ -90,7 +90,7 @@ typedef struct {
     int32_t feedforward_percentage; /* weight of G136 [%], limited to 0..100; start 100 */
     /* FALSE: the axis is not in position control: all outputs are 0 at once, and x_drive, if the drive has the
      * position controller, follows x_command. The first cycle with TRUE acts in full, without a ramp: x_command must
-     * be at x_actual; start true */
+     * be at the actual position; start true */
     bool position_controlled;
     /* while TRUE all outputs are 0; x_drive, if the drive has the position controller, follows x_command; hold it
      * while positions are set (homing); start false */
@@ -101,18 +101,22 @@ typedef struct {
 
 /* Written by axis_x_axis_step. */
 typedef struct {
-    /* output of the position controller with feedforward, before v_add is added; for monitoring, the outputs to the
-     * drive contain v_add [um/s] */
+    /* output of the position controller, with feedforward if the axis has one, before v_add is added; for
+     * monitoring, the outputs to the drive contain v_add [um/s] */
     double v_command;
     double v_feedforward; /* conventional feedforward [um/s] */
-    /* additive velocity of improved position control, to be wired to v_add_master of gantry slaves [um/s] */
+    /* additive velocity of improved position control; gantry master: to be wired to v_add_master of each slave;
+     * gantry slave: that of the master, within its limit [um/s] */
     double v_add;
-    double v_add_calculated; /* v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [um/s] */
+    /* v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF; gantry slave: v_add [um/s] */
+    double v_add_calculated;
     /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
     int32_t manipulated_variable;
     /* reason of the fault; of several faults, improved position control comes before feedforward, position control;
-     * cycle_time, x_command and x_actual stop the axis, the others stop the part that reads the input: 0 none, 1
-     * cycle_time, 2 mode, 3 state, 12 v_motor, 14 v_interpolator, 15 a_interpolator, 17 x_command, 18 x_actual */
+     * cycle_time, x_command and x_actual set all outputs to 0, and x_drive, if the drive has the position
+     * controller, follows x_command or holds its last valid one; the others stop the part that reads the input: 0
+     * none, 1 cycle_time, 2 mode, 3 state, 12 v_motor, 14 v_interpolator, 15 a_interpolator, 17 x_command, 18
+     * x_actual */
     uint32_t error_id;
     /* an output is at its limit, or at the end of the range of its process-data type, in this cycle */
     bool limited;

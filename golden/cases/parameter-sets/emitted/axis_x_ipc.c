@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   91e1a4362fbdfca2930fc34050fb5cce
- * checksum    94f856a4aa6b97021d3ec8b4e9ee6fef
+ * checksum    7af80cc731135b2a63bd8831516487ab
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -69,7 +69,7 @@ AXGEN_CODE_SECTION static bool axis_x_ipc_is_zero(float value)
 static const uint32_t axis_x_ipc_ipc_cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
 
 /* largest |v_add| = 8000: 20 * 0.1 % (P-AXIS-00757) of 400000 (P-AXIS-00212) */
-static const float axis_x_ipc_ipc_limit = 8000.0f; /* largest |v_add| */
+static const float axis_x_ipc_ipc_limit = 8000.0f; /* largest |v_add| [um/s] */
 
 /* rest threshold of the sum: P-AXIS-00212 * 2^-40 */
 /* a sum up to this magnitude is set to 0, so that the output at rest is exactly 0 */

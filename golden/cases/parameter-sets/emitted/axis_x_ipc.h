@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   91e1a4362fbdfca2930fc34050fb5cce
- * checksum    ec0499ed64d7a247bc112ec3e165ff88
+ * checksum    623d5a7e8d586d362c40617219f467fe
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -25,12 +25,12 @@ extern "C" {
  * the filters from their old state. */
 
 /* Of the parameter set that the block was generated with:
- * range: |v| <= 400000 gives |v_add| <= 1528678 before the limit and no |state| above 2947769; for |v| <=
+ * range: |v| <= 400000 um/s gives |v_add| <= 1528678 before the limit and no |state| above 2947769; for |v| <=
  * 1000000000: 7369423000, within single precision
  * stage[0] at 40 Hz: designed 3 at 180 deg, measured 3 at -180 deg; at 36.19529 Hz: designed 2.12132 at -135
  * deg, measured 2.12132 at -135 deg; at 44.19529 Hz: designed 2.12132 at 135 deg, measured 2.121321 at 135 deg
  * largest deviation of measured from designed: 3.2e-7
- * signal-to-noise ratio in single precision, of a vibration of 800 at f0 while the axis moves at 400000:
+ * signal-to-noise ratio in single precision, of a vibration of 800 at f0 while the axis moves at 400000 um/s:
  * stage[0] 128 dB */
 
 /* Constants that the caller can check, at start-up or in an #if. */
@@ -94,14 +94,14 @@ enum {
  * can read them: keep the set in ROM, or write it completely before you pass the pointer. */
 typedef struct {
     /* id of the block structure that the set fits: axis, stages, modes, filters, real type, cycle time, fade,
-     * ride_through, watch */
+     * ride_through, watch, cycle_counter */
     uint32_t structure;
     /* number of the set, its check word, never 0; a number other than that of the set in use offers this set to the
      * block */
     uint32_t set_id;
-    float limit; /* largest |v_add|; at most the limit that the block was generated with */
-    float lower_limit; /* -limit */
-    float sum_limit; /* largest magnitude of the sum of the stages; a larger sum is a fault */
+    float limit; /* largest |v_add|; at most the limit that the block was generated with [um/s] */
+    float lower_limit; /* -limit [um/s] */
+    float sum_limit; /* largest magnitude of the sum of the stages; a larger sum is a fault [um/s] */
     float stage0_filter0_bandpass0_a; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
     /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     float stage0_filter0_bandpass0_b;

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  add150623ccfc280dfd3932ca6046864
  * structure   8f46823ccc58d7430fee0f72ae9832e8
- * checksum    fcf7413dc82407848c62ce79cf198f3e
+ * checksum    6d54696b27d7af13210ffac762703909
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"
@@ -113,11 +113,11 @@ AXGEN_CODE_SECTION void axis_rack_and_pinion_ipc_step(
     static const double stage1_gain = -1.9; /* -weight: negative, because the stage moves the motor against the vibration */
 
     /* largest |v_add| = 530000: 1000 * 0.1 % (P-AXIS-00757) of 530000 (P-AXIS-00212) */
-    static const double limit = 530000.0; /* largest |v_add| */
-    static const double lower_limit = -530000.0; /* -limit */
+    static const double limit = 530000.0; /* largest |v_add| [um/s] */
+    static const double lower_limit = -530000.0; /* -limit [um/s] */
 
     /* 2 times the bound of the sum for |v| <= P-AXIS-00212, at least 2 times the limit */
-    static const double sum_limit = 30803451.38467693; /* largest magnitude of the sum of the stages; a larger sum is a fault */
+    static const double sum_limit = 30803451.38467693; /* largest magnitude of the sum of the stages; a larger sum is a fault [um/s] */
 
     /* rest threshold of the sum: P-AXIS-00212 * 2^-60 */
     /* a sum up to this magnitude is set to 0, so that the output at rest is exactly 0 */

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  add150623ccfc280dfd3932ca6046864
  * structure   8f46823ccc58d7430fee0f72ae9832e8
- * checksum    f3b3ff178189ae75f51bea984f4d3097
+ * checksum    7bd20654be662c031dfc3ee7d3a26488
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_RACK_AND_PINION_IPC_H
@@ -24,8 +24,8 @@ extern "C" {
  * v_add then fades in. While the block is not called, v_add keeps its last value and must not be added; the next
  * call continues the filters from their old state. */
 
-/* range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15:
- * 4.355187e15, within double precision
+/* range: |v| <= 530000 um/s gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <=
+ * 1e15: 4.355187e15, within double precision
  * stage[0] at 53 Hz: designed 3 at 180 deg, measured 3 at 180 deg; at 50.41374 Hz: designed 2.12132 at -135 deg,
  * measured 2.12132 at -135 deg; at 55.71374 Hz: designed 2.12132 at 135 deg, measured 2.12132 at 135 deg
  * stage[1] at 11 Hz: designed 2.240571 at 147.9946 deg, measured 2.240571 at 147.9946 deg; at 8.588009 Hz:

@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  add150623ccfc280dfd3932ca6046864
-// checksum    000d96babebe683787117cb54280d551
+// checksum    dd284791f1cb5fd7d573eb1fb032cebb
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 //! Improved position control: v_add, added to the velocity command, acts against vibrations of the axis. The
@@ -13,8 +13,8 @@
 //! v_add then fades in. While the block is not called, v_add keeps its last value and must not be added; the next
 //! call continues the filters from their old state.
 //!
-//! range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15:
-//! 4.355187e15, within double precision
+//! range: |v| <= 530000 um/s gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <=
+//! 1e15: 4.355187e15, within double precision
 //! stage[0] at 53 Hz: designed 3 at 180 deg, measured 3 at 180 deg; at 50.41374 Hz: designed 2.12132 at -135 deg,
 //! measured 2.12132 at -135 deg; at 55.71374 Hz: designed 2.12132 at 135 deg, measured 2.12132 at 135 deg
 //! stage[1] at 11 Hz: designed 2.240571 at 147.9946 deg, measured 2.240571 at 147.9946 deg; at 8.588009 Hz:
@@ -307,13 +307,13 @@ const STAGE1_FILTER0_BANDPASS0_A2: f64 = 0.9660261261132628;
 const STAGE1_GAIN: f64 = -1.9;
 
 // largest |v_add| = 530000: 1000 * 0.1 % (P-AXIS-00757) of 530000 (P-AXIS-00212)
-/// largest |v_add|
+/// largest |v_add| [um/s]
 pub const LIMIT: f64 = 530000.0;
-/// -limit
+/// -limit [um/s]
 const LOWER_LIMIT: f64 = -530000.0;
 
 // 2 times the bound of the sum for |v| <= P-AXIS-00212, at least 2 times the limit
-/// largest magnitude of the sum of the stages; a larger sum is a fault
+/// largest magnitude of the sum of the stages; a larger sum is a fault [um/s]
 const SUM_LIMIT: f64 = 30803451.38467693;
 
 // rest threshold of the sum: P-AXIS-00212 * 2^-60

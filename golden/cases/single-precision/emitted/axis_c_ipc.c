@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  66f0269b36f88be089736648cbf9f148
  * structure   e7274e84f9eb7aa9e728b6040983993b
- * checksum    757d33616e14ccf1dc2d421c5cec166d
+ * checksum    4a4e72bf5f806135c7d4821337557597
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"
@@ -184,11 +184,11 @@ AXGEN_CODE_SECTION void axis_c_ipc_step(
     static const float stage2_gain = -0.72f; /* -weight: negative, because the stage moves the motor against the vibration */
 
     /* largest |v_add| = 18000: 100 * 0.1 % (P-AXIS-00757) of 180000 (P-AXIS-00212) */
-    static const float limit = 18000.0f; /* largest |v_add| */
-    static const float lower_limit = -18000.0f; /* -limit */
+    static const float limit = 18000.0f; /* largest |v_add| [0.001 deg/s] */
+    static const float lower_limit = -18000.0f; /* -limit [0.001 deg/s] */
 
     /* 2 times the bound of the sum for |v| <= P-AXIS-00212, at least 2 times the limit */
-    static const float sum_limit = 22651750.0f; /* largest magnitude of the sum of the stages; a larger sum is a fault */
+    static const float sum_limit = 22651750.0f; /* largest magnitude of the sum of the stages; a larger sum is a fault [0.001 deg/s] */
 
     /* rest threshold of the sum: P-AXIS-00212 * 2^-40 */
     static const float rest = 1.6370905e-7f; /* a sum up to this magnitude is set to 0, so that the output at rest is exactly 0 */

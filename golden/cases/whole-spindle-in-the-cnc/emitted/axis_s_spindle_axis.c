@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
  * structure   79b46221775bdd2be3acf8f28d8c0796
- * checksum    b8523d306c8c7608631a01e13c696bea
+ * checksum    c05dac9304d2065bfa93bfda92ff6ec6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -97,11 +97,11 @@ static const double axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 = 0
 static const double axis_s_spindle_axis_axis_ipc_stage0_gain = -2.0;
 
 /* largest |v_add| = 450000: 50 * 0.1 % (P-AXIS-00757) of 9000000 (P-AXIS-00212) */
-static const double axis_s_spindle_axis_axis_ipc_limit = 450000.0; /* largest |v_add| */
-static const double axis_s_spindle_axis_axis_ipc_lower_limit = -450000.0; /* -limit */
+static const double axis_s_spindle_axis_axis_ipc_limit = 450000.0; /* largest |v_add| [0.001 deg/s] */
+static const double axis_s_spindle_axis_axis_ipc_lower_limit = -450000.0; /* -limit [0.001 deg/s] */
 
 /* 2 times the bound of the sum for |v| <= P-AXIS-00212, at least 2 times the limit */
-/* largest magnitude of the sum of the stages; a larger sum is a fault */
+/* largest magnitude of the sum of the stages; a larger sum is a fault [0.001 deg/s] */
 static const double axis_s_spindle_axis_axis_ipc_sum_limit = 144000000.0;
 
 /* rest threshold of the sum: P-AXIS-00212 * 2^-60 */
@@ -272,8 +272,8 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     /* 1 deg (key spindle.takeover_window) */
     /* largest step of the position command when the interpolator takes over, without an acceleration [0.001 deg] */
     static const double spindle_takeover_window = 1000.0;
-    /* deceleration T^2 / 2: by n (n + 1) times this way an interpolator that accelerates is further n cycles after
-     * the last valid sample [0.001 deg] */
+    /* deceleration T^2 / 2: n cycles after the last valid sample, an accelerating interpolator is n (n + 1) times
+     * this distance further [0.001 deg] */
     static const double spindle_takeover_way = 15.0;
 
     /* 100ms (key spindle.mode_timeout) and two cycles */

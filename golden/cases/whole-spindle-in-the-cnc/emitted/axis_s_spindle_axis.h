@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
  * structure   79b46221775bdd2be3acf8f28d8c0796
- * checksum    95233e7888f473ca7bc7183d5ef41869
+ * checksum    fe1569d9af865badbb6dbded93578b26
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -135,7 +135,7 @@ typedef struct {
     int32_t mode;
     bool feedforward_active; /* G135: TRUE, G137: FALSE; acts at once: switch it at standstill; start false */
     int32_t feedforward_percentage; /* weight of G136 [%], limited to 0..100; start 100 */
-    /* CNC reset, a level: the spindle goes back to position control and stops; while TRUE v_add is 0; start false */
+    /* CNC reset, a level: the spindle goes back to position control and stops; while TRUE nothing is added; start false */
     bool reset;
     /* cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0u */
     uint32_t task_cycle_ns;
@@ -147,8 +147,9 @@ typedef struct {
     double v_spindle; /* command velocity of the spindle [0.001 deg/s] */
     double job_speed; /* speed of the job, below 0 for M4 [0.001 deg/s] */
     double job_position; /* target of the job M19 [0.001 deg] */
-    /* output of the position controller with feedforward, before v_add is added, held while a sample is missing;
-     * v_spindle where the loop is open; for monitoring, the outputs to the drive contain v_add [0.001 deg/s] */
+    /* output of the position controller, with feedforward if the axis has one, before v_add is added, held while a
+     * sample is missing; v_spindle where the loop is open; for monitoring, the outputs to the drive contain v_add
+     * [0.001 deg/s] */
     double v_command;
     double v_feedforward; /* conventional feedforward [0.001 deg/s] */
     double v_add; /* additive velocity of improved position control [0.001 deg/s] */
