@@ -50,8 +50,9 @@ pub fn run<'a>(to: &'a SimulateArguments, format: Format) -> Result<Exit, Exit> 
         commands::block(designed, "ipc")?;
     }
     let moved = moved(designed, to)?;
-    let begins = |head: &'static str| move |found: &[u8]| found.starts_with(head.as_bytes());
-    let [is_csv, is_picture, is_recording] = [text::HEAD, svg::HEAD, recording::HEAD].map(begins);
+    let begins =
+        |heads: &'static [&str]| move |found: &[u8]| heads.iter().any(|head| found.starts_with(head.as_bytes()));
+    let [is_csv, is_picture, is_recording] = [&[text::HEAD][..], &[svg::HEAD], &recording::HEADS].map(begins);
     let [of_csv, of_picture, of_recording] =
         [&is_csv, &is_picture, &is_recording].map(|begins| Rule::earlier_output(to.force, begins));
     let all = [

@@ -135,7 +135,13 @@ fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
     let closed = points.as_ref().map(|points| Loop::new(points, drive[0].drive()));
     let stages = designed.stage.iter().flatten().enumerate();
     let of_loop = |mode| closed.as_ref().filter(|_| closed_loop::closes_loop(&axis.control, mode));
-    let stages: Vec<Stage> = stages.map(|(n, design)| Stage::new(n, design, of_loop(design.stage.mode))).collect();
+    let stages: Vec<Stage> = stages
+        .map(|(n, design)| {
+            let stage = Stage::new(n, design, of_loop(design.stage.mode));
+            let source = if stage.source == "v_command" { command_name(axis, is_inside) } else { stage.source };
+            Stage { source, ..stage }
+        })
+        .collect();
     let longest = |of: fn(&Stage) -> f64, least| stages.iter().map(of).fold(least, f64::larger);
     Page {
         axis: axis.name.clone(),
@@ -200,18 +206,22 @@ fn others(axis: &Axis) -> String {
     names.collect::<Vec<_>>().join(", ")
 }
 
+/// What SET_POINT looks at, by its name at the block to call: with position control in the drive it is the interpolator's velocity.
+fn command_name(axis: &Axis, is_inside: bool) -> &'static str {
+    if is_inside && !axis.control.commands_by_position() { "v_interpolator" } else { "v_command" }
+}
+
 /// The input velocities of the stages, and of a spindle that of the changeover.
 fn signals(axis: &Axis, is_inside: bool) -> Vec<Signal> {
     let is_read = |name: &str| axis.ipc.stage.iter().flatten().any(|stage| stage.mode.source() == name);
-    let (of_command, command) = match (axis.control.commands_by_position(), is_inside) {
-        (true, true) => ("v_command", "the block itself"),
-        (true, false) => ("v_command", "the position controller with feedforward, before `v_add` is added"),
-        (false, true) => ("v_interpolator", "the interpolator"),
-        (false, false) => ("v_command", "the interpolator"),
+    let command = match (axis.control.commands_by_position(), is_inside) {
+        (true, true) => "the block itself",
+        (true, false) => "the position controller with feedforward, before `v_add` is added",
+        (false, _) => "the interpolator",
     };
     let is_spindle = is_inside && axis.control.spindle.is_some();
     let known = [
-        (is_read("v_command"), of_command, command),
+        (is_read("v_command"), command_name(axis, is_inside), command),
         (is_read("v_motor"), "v_motor", "the motor encoder"),
         (is_read("v_direct"), "v_direct", "the direct measuring system"),
         (is_spindle, "v_actual", "the actual velocity, for the changeover"),

@@ -12,8 +12,11 @@ use machine::sequence::Sequence;
 use portable::peak;
 use std::fmt::Write;
 
-/// First line of a recording, up to the signals that only one kind of it has.
-pub const HEAD: &str = "time [s],x_command [mm],x_actual [mm],v_command [um/s],v_motor [um/s],a_load [m/s^2]";
+/// First line of a recording, up to the signals that only one kind of it has: of a translatory axis, and of a rotary one or a spindle.
+pub const HEADS: [&str; 2] = [
+    "time [s],x_command [mm],x_actual [mm],v_command [um/s],v_motor [um/s],a_load [m/s^2]",
+    "time [s],x_command [deg],x_actual [deg],v_command [0.001 deg/s],v_motor [0.001 deg/s],a_load [deg/s^2]",
+];
 /// Speed of the move by default, in amplitudes of the excitation: above the 2.5 that friction asks for.
 const SPEED: f64 = 4.0;
 /// Time at constant speed before the excitation and after it [s].
@@ -24,7 +27,7 @@ const AROUND: f64 = 0.5;
 #[must_use]
 pub fn moves(designed: &Designed, moved: Moved, dwell: Option<f64>, noise: f64) -> String {
     let set = Setting::new(designed, moved, dwell, &[]);
-    csv(&set.run(&set.sequence, &mut |_| 0.0), None, noise)
+    csv(designed, &set.run(&set.sequence, &mut |_| 0.0), None, noise)
 }
 
 /// A move at a constant speed [m/s], by default 4 amplitudes of the excitation, with the excitation of the axis from
@@ -55,7 +58,7 @@ pub fn excited(designed: &Designed, moved: Moved, speed: Option<f64>, noise: f64
     if error != 0.0 {
         return Err(format!("error {error} of the block `excitation`"));
     }
-    let text = csv(&record, Some(&v_excite), noise);
+    let text = csv(designed, &record, Some(&v_excite), noise);
     // Of the way forward, without its end.
     let lines = 1 + from + set.cycles(duration + AROUND);
     Ok(text.split_inclusive('\n').take(lines).collect())
@@ -72,17 +75,20 @@ pub fn of_block(designed: &Designed, moved: Moved, dwell: Option<f64>) -> Result
     Ok(subject.csv())
 }
 
-/// A recording as text; `v_excite`: of each cycle [um/s], with the command to the drive.
-fn csv(record: &Record, v_excite: Option<&[f64]>, noise: f64) -> String {
+/// A recording as text; `v_excite`: of each cycle, with the command to the drive. A degree of a rotary axis is simulated as a
+/// millimetre.
+fn csv(designed: &Designed, record: &Record, v_excite: Option<&[f64]>, noise: f64) -> String {
+    let is_rotary = designed.axis.control.is_rotary;
+    let (unit, per_metre) = if is_rotary { ("0.001 deg/s", 1e3) } else { ("um/s", 1.0) };
     let mut source = Noise(1);
     let mut noisy = |values: Vec<f64>| -> Vec<f64> {
         let rms = noise * peak(&values);
         values.into_iter().map(|value| if rms > 0.0 { value + rms * source.next() } else { value }).collect()
     };
     let v_motor = noisy(record.signals.iter().map(|of| of.v_motor).collect());
-    let a_load = noisy(record.sensor.clone());
-    let more = if v_excite.is_some() { ",v_excite [um/s],v_cmd [um/s]" } else { "" };
-    let mut text = format!("{HEAD}{more}\n");
+    let a_load = noisy(record.sensor.iter().map(|a| a * per_metre).collect());
+    let more = v_excite.map_or_else(String::new, |_| format!(",v_excite [{unit}],v_cmd [{unit}]"));
+    let mut text = format!("{}{more}\n", HEADS[usize::from(is_rotary)]);
     for (n, x) in record.command.iter().enumerate() {
         let v_command = record.signals[n].v_command;
         let [x, x_actual] = [*x, record.seen[n]].map(|x| x * 1e3);
