@@ -92,12 +92,21 @@ pub fn init<R: Real>(state: &mut State<R>) {
     call_rate::init(&mut state.call_rate);
 }
 
-/// A cycle in which the axis must not act: afterwards every part restarts.
+/// A cycle in which the axis must not act: afterwards every part restarts. What the caller tunes is not read then, and its last
+/// values may be old: they are 0 until the axis acts on valid ones.
 #[portable]
-pub fn rest<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, control_outputs: &position_control::Outputs<R>) {
+pub fn rest<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    outputs: &mut Outputs<R>,
+    control_outputs: &position_control::Outputs<R>,
+) {
     let mut feedforward_outputs = feedforward::Outputs::<R>::default();
     feedforward::stop(&mut state.feedforward, &mut feedforward_outputs, error_none());
     ipc::stop(&mut state.ipc);
+    if coeffs.ipc.tuning.active {
+        ipc::tuning::init(&mut state.ipc.tuning);
+    }
     outputs.v_feedforward = R::ZERO;
     outputs.v_add = R::ZERO;
     outputs.v_add_calculated = R::ZERO;
@@ -333,7 +342,7 @@ pub fn follow<R: Real>(
         &mut control_outputs,
         error_id,
     );
-    rest(state, outputs, &control_outputs);
+    rest(state, coeffs, outputs, &control_outputs);
     tell_trip(state, coeffs, outputs);
 }
 
@@ -342,7 +351,7 @@ pub fn follow<R: Real>(
 pub fn hold<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>, error_id: u32) {
     let mut control_outputs = position_control::Outputs::<R>::default();
     position_control::hold(&mut state.position_control, &coeffs.position_control, &mut control_outputs, error_id);
-    rest(state, outputs, &control_outputs);
+    rest(state, coeffs, outputs, &control_outputs);
     tell_trip(state, coeffs, outputs);
 }
 

@@ -96,7 +96,7 @@ impl Axis {
             None => self.ipc.fault(p, c, &ridden, command),
         };
         let added = match &c.slave {
-            _ if !acts => self.ipc.stop(),
+            _ if !acts => self.ipc.rest(),
             _ if ipc_fault != 0 => self.ipc.stop(),
             Some(limit) => ipc::follow(c, limit, inputs.v_add_master),
             // In OFF the calculated value is 0, whatever the sum is.

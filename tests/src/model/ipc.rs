@@ -150,6 +150,12 @@ impl Ipc {
         is_held
     }
 
+    /// A cycle in which the whole axis does not act: it does not read what the caller tunes.
+    pub fn rest(&mut self) -> Added {
+        self.tune_anew();
+        self.stop()
+    }
+
     /// What the caller tunes is 0 until its input is usable, as before the first cycle.
     fn tune_anew(&mut self) {
         if self.tunable {
