@@ -233,25 +233,22 @@ fn a_change_of_a_last_digit_is_still_one() {
 /// No coefficient shows the unit of the signals, nor whose v_add a gantry slave gets.
 #[test]
 fn another_axis_type_and_another_master() {
-    let axis = |name: &str, keys: &str, stage: &str| {
-        format!(
-            "[axis.{name}]\ngetriebe = [{{ kv = 2000, multi_gain_z = 1, multi_gain_n = 1, dynamik.vb_max = 500000 }}]\n{keys}\n\
-             lr_param.improved_position_control = {{ v_add_max_fact = 50{stage} }}\n"
-        )
-    };
-    let stage = ", stage = [{ mode = \"DIRECT\", filter = [{ order = 1, fg_f0 = 53.0, q_factor = 10.0 }] }]";
-    let set = |kind: &str, master: u32| {
-        let masters = [("A", 1), ("B", 2)].map(|(name, number)| axis(name, &format!("kopf.achs_nr = {number}"), stage));
-        let slave = axis("S", &format!("kopf.achs_nr = 3\nkenngr.gantry_ax_nr = {master}"), "");
-        let other = axis("T", &format!("kopf.achs_nr = 4\nkenngr.achs_typ = \"ACHSTYP_{kind}\""), stage);
-        toml(&format!("cycle_time = \"1ms\"\n{}{slave}{other}", masters.concat()))
-    };
-    let lines = said(&set("TRANSLATOR", 1), &set("ROTATOR", 2));
-    let expected = [
-        "axis A: gantry slaves S -> none",
-        "axis B: gantry slaves none -> S",
-        "axis S: gantry master axis 1 -> axis 2",
-        "axis T: axis type ACHSTYP_TRANSLATOR -> ACHSTYP_ROTATOR",
+    let axis =
+        "\ngetriebe = [{ kv = 2000, multi_gain_z = 1, dynamik.vb_max = 500000 }]\nlr_param.improved_position_control.";
+    let [own, none] = [
+        "stage = [{ mode = \"DIRECT\", filter = [{ order = 1, fg_f0 = 53.0, q_factor = 10.0 }] }]",
+        "enable = \"OFF\"",
     ];
-    assert_eq!(lines, expected);
+    let axes = |kind: &str, master: &str| {
+        let keys = [("A", "", own), ("B", "", own), ("S", master, none), ("T", kind, own)];
+        let numbered = keys.iter().zip(1..);
+        let axes =
+            numbered.map(|((name, key, ipc), n)| format!("[axis.{name}]\nkopf.achs_nr = {n}\n{key}{axis}{ipc}\n"));
+        toml(&format!("cycle_time = \"1ms\"\n{}", axes.collect::<String>()))
+    };
+    let old = axes("kenngr.achs_typ = \"ACHSTYP_TRANSLATOR\"", "kenngr.gantry_ax_nr = 1");
+    let lines = said(&old, &axes("kenngr.achs_typ = \"ACHSTYP_ROTATOR\"", "kenngr.gantry_ax_nr = 2"));
+    assert_eq!(lines[..2], ["axis A: gantry slaves S -> none", "axis B: gantry slaves none -> S"]);
+    assert_eq!(lines[2], "axis S: gantry master axis 1 -> axis 2");
+    assert_eq!(lines[3..], ["axis T: axis type ACHSTYP_TRANSLATOR -> ACHSTYP_ROTATOR"]);
 }

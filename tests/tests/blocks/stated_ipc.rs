@@ -222,31 +222,26 @@ fn the_id_of_a_refused_set_stays_during_a_trip() {
     assert!(ids[refused..].iter().all(|id| *id == 8.0), "{:?}", &ids[refused..]);
 }
 
-/// "A fraction is 0 after a cycle in which the block axis does not act: it does not read its input then." A limit that was
-/// lowered during a reset, and an input that is no number afterwards, do not bring the old limit back.
+/// "A fraction is 0 after a cycle in which the block axis does not act: it does not read its input then." A limit that was lowered
+/// during a reset, and an input that is no number afterwards, do not bring the old limit back.
 #[test]
 fn a_fraction_that_was_not_read_is_not_used() {
     let designed = read(
         "cycle_time = '5ms'\n[axis.X]\nfade = '100ms'\ntunable = 'weights'\nkenngr.antr_typ = 'CONVENTIONAL'
-getriebe = [{ kv = 1000, multi_gain_z = 1000, multi_gain_n = 1, dynamik.vb_max = 500000 }]
+getriebe = [{ kv = 1000, multi_gain_z = 1000, dynamik.vb_max = 500000 }]
 [axis.X.lr_param.improved_position_control]\nenable = 'ON'\nv_add_max_fact = 100
 stage = [{ mode = 'DIRECT', weight_fact_num = 1, filter = [{ order = 1, fg_f0 = 40.0, q_factor = 2.0 }] }]\n",
     );
-    let block = named_block(&designed, "axis").expect("an axis with position control");
-    let mut axis = subject::Subject::start(&designed, &block);
-    let mut peak = |cycles: usize, limit: f64, reset: f64| {
-        axis.set("tuning_limit", limit);
-        axis.set("reset", reset);
-        let v_add = |cycle| {
+    let mut axis = subject::Subject::start(&designed, &named_block(&designed, "axis").expect("position control"));
+    let of = [(1.0, 0.0, LIMIT, 0.0), (0.02, 1.0, 0.0, 0.0), (f64::NAN, 0.0, 0.0, 4.0), (0.02, 0.0, 0.02 * LIMIT, 0.0)];
+    for (limit, reset, largest, error_id) in of {
+        assert!(axis.set("tuning_limit", limit) && axis.set("reset", reset));
+        let v_add = (0..100).map(|cycle| {
             axis.set("v_motor", swing(cycle, 200_000.0));
             axis.step();
             axis.get("v_add").abs()
-        };
-        let peak = (0..cycles).map(v_add).fold(0.0, f64::max);
-        (peak, axis.get("error_id"), axis.get("fault"))
-    };
-    assert_eq!(peak(100, 1.0, 0.0), (LIMIT, 0.0, 0.0));
-    assert_eq!(peak(10, 0.02, 1.0), (0.0, 0.0, 0.0));
-    assert_eq!(peak(100, f64::NAN, 0.0), (0.0, 4.0, 0.0));
-    assert_eq!(peak(100, 0.02, 0.0), (0.02 * LIMIT, 0.0, 0.0));
+        });
+        assert_eq!(v_add.fold(0.0, f64::max), largest);
+        assert_eq!([axis.get("error_id"), axis.get("fault")], [error_id, 0.0]);
+    }
 }
