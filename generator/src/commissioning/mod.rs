@@ -135,13 +135,9 @@ fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
     let closed = points.as_ref().map(|points| Loop::new(points, drive[0].drive()));
     let stages = designed.stage.iter().flatten().enumerate();
     let of_loop = |mode| closed.as_ref().filter(|_| closed_loop::closes_loop(&axis.control, mode));
-    let stages: Vec<Stage> = stages
-        .map(|(n, design)| {
-            let stage = Stage::new(n, design, of_loop(design.stage.mode));
-            let source = if stage.source == "v_command" { command_name(axis, is_inside) } else { stage.source };
-            Stage { source, ..stage }
-        })
-        .collect();
+    let command = command_name(axis, is_inside);
+    let stages: Vec<Stage> =
+        stages.map(|(n, design)| Stage::new(n, design, command, of_loop(design.stage.mode))).collect();
     let longest = |of: fn(&Stage) -> f64, least| stages.iter().map(of).fold(least, f64::larger);
     Page {
         axis: axis.name.clone(),
@@ -206,7 +202,7 @@ fn others(axis: &Axis) -> String {
     names.collect::<Vec<_>>().join(", ")
 }
 
-/// What SET_POINT looks at, by its name at the block to call: with position control in the drive it is the interpolator's velocity.
+/// The input of the block to call that SET_POINT looks at: with position control in the drive it is the interpolator's velocity.
 fn command_name(axis: &Axis, is_inside: bool) -> &'static str {
     if is_inside && !axis.control.commands_by_position() { "v_interpolator" } else { "v_command" }
 }

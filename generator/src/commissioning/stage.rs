@@ -48,8 +48,8 @@ pub(super) struct Stage {
 }
 
 impl Stage {
-    /// The n-th active stage, with the loop of the axis on its ideal drive, if there is one.
-    pub(super) fn new(n: usize, design: &StageDesign, closed: Option<&Loop<'_>>) -> Self {
+    /// The n-th active stage, with the loop of the axis on its ideal drive, if there is one. `command`: what SET_POINT looks at.
+    pub(super) fn new(n: usize, design: &StageDesign, command: &'static str, closed: Option<&Loop<'_>>) -> Self {
         let (stage, index) = (&design.stage, design.index);
         let first = stage.first_bandpass();
         let number = u32::try_from(index).expect("design: there are three stages");
@@ -60,7 +60,7 @@ impl Stage {
         Self {
             index,
             mode: stage.mode.word(),
-            source: stage.mode.source(),
+            source: if matches!(stage.mode, Mode::SetPoint { .. }) { command } else { stage.mode.source() },
             seen_in: seen_in(stage.mode),
             f0: digits(stage.f0()),
             edges: edges.map(|edge| significant(edge, 4)),
