@@ -97,8 +97,11 @@ impl Decimal {
 
 /// A number with at most N decimals, no trailing zeros, no -0.
 pub(crate) fn decimals(value: f64, decimals: usize) -> String {
-    let rounded: f64 = format!("{value:.decimals$}").parse().expect("number: a formatted number is a number");
-    format!("{}", rounded + 0.0)
+    let mut text = format!("{value:.decimals$}");
+    if text.contains('.') {
+        text.truncate(text.trim_end_matches('0').trim_end_matches('.').len());
+    }
+    if text == "-0" { "0".to_owned() } else { text }
 }
 
 /// A change in per cent with its sign: ` (-1.9 %)`.
