@@ -7,7 +7,7 @@
 use crate::axis::Stage;
 use crate::blocks::{self, BLOCKS, BlockKind, Designed, Effect, Effects, is_same};
 use crate::number::{literal, significant};
-use crate::parameters::words::{AxisType, Words};
+use crate::parameters::words::Words;
 use crate::set_change::judge;
 use portable::Literal;
 
@@ -107,16 +107,12 @@ fn surroundings(of: &Designed) -> Effects {
     let master = of.axis.control.master.map_or_else(|| "none".to_owned(), |number| format!("axis {number}"));
     let slaves = &of.axis.control.slaves;
     let slaves = if slaves.is_empty() { "none".to_owned() } else { slaves.join(", ") };
-    let values = [("axis type", axis_type(of).name().to_owned()), ("gantry master", master), ("gantry slaves", slaves)];
+    let values = [
+        ("axis type", of.axis.control.axis_type().name().to_owned()),
+        ("gantry master", master),
+        ("gantry slaves", slaves),
+    ];
     values.into_iter().map(|(what, value)| (what.to_owned(), Effect::Words(value))).collect()
-}
-
-pub(crate) fn axis_type(of: &Designed) -> AxisType {
-    match (of.axis.control.is_spindle, of.axis.control.is_rotary) {
-        (true, _) => AxisType::Spindle,
-        (false, true) => AxisType::Rotator,
-        (false, false) => AxisType::Translator,
-    }
 }
 
 /// The lines of an axis that has no older version.

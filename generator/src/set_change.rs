@@ -5,7 +5,6 @@ use crate::axis::{Filter, Stage};
 use crate::blocks::ipc::filter;
 use crate::blocks::{self, Design, Designed, Effect, Effects, IPC, SET_DESIGN, differences};
 use crate::design::rounding::rounded;
-use crate::diff::axis_type;
 use crate::number::pair;
 use crate::parameters::words::{StageMode, Words};
 use compiler::leaves;
@@ -149,7 +148,7 @@ fn apart_from_set(of: &Designed) -> Effects {
     vec![
         ("starts".to_owned(), Effect::Words(ipc.enable.name().to_owned())),
         ("v_max".to_owned(), Effect::Number(ipc.v_max, "")),
-        ("axis type".to_owned(), Effect::Words(axis_type(of).name().to_owned())),
+        ("axis type".to_owned(), Effect::Words(of.axis.control.axis_type().name().to_owned())),
     ]
 }
 

@@ -2,7 +2,7 @@
 //! parameters.
 
 use super::Spindle;
-use crate::parameters::words::{DriveType, Motor, Width};
+use crate::parameters::words::{AxisType, DriveType, Motor, Width};
 use reference::position_control::Location;
 
 /// All parameters of an axis except improved position control.
@@ -57,6 +57,15 @@ impl Control {
     #[must_use]
     pub fn placed(&self, gain: Option<f64>) -> [Option<f64>; 2] {
         if self.commands_by_position() { [gain, None] } else { [None, gain] }
+    }
+
+    /// P-AXIS-00018.
+    pub(crate) fn axis_type(&self) -> AxisType {
+        match (self.is_spindle, self.is_rotary) {
+            (true, _) => AxisType::Spindle,
+            (false, true) => AxisType::Rotator,
+            (false, false) => AxisType::Translator,
+        }
     }
 
     pub(crate) fn velocity_unit(&self) -> &'static str {
