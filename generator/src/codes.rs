@@ -88,7 +88,8 @@ codes! {
          the machine was generated from must have the key, and the new one too. Add it to both, and generate the block anew.";
     OTHER_STRUCTURE = "AX021", "a parameter set for another block",
         "The real type, the cycle time, the fade in cycles, the stages, their modes and filters, the cycles of the watch and of \
-         ride_through, cycle_counter, and whether the axis is a gantry slave are the structure of a block: it refuses a set of another structure with error_id 6. Generate the block anew. A lower f0 \
+         ride_through, cycle_counter, and whether the axis is a gantry slave are the structure of a block: it refuses a set of \
+         another structure with error_id 6. Generate the block anew. A lower f0 \
          than before can make the fade longer, which is one period of the lowest f0 at least: with the key `fade` large enough \
          in both sets, other frequencies are a matter of a parameter set.";
     SET_REFUSED = "AX022", "a parameter set that the block refuses",
@@ -154,9 +155,9 @@ codes! {
         "Each line has a cell for each name. With commas between the cells, decimal commas look like separators. In XML, each spectrum \
          has a value for each frequency, and all spectra have the same frequencies.";
     NEARLY = "AX120", "a name that is nearly one of axgen's",
-        "A list has parameters of other functions, which are passed over. One that differs in a letter or two, or by the structures \
-         above it, from a parameter of axgen's without a value is probably that parameter, mistyped: its default would be used. \
-         Correct the name, or give the parameter its value.";
+        "A list has parameters of other functions, which are passed over. One that differs in a letter or two, or by the \
+         structures above it, from a parameter of axgen's without a value is probably that parameter, mistyped: its default \
+         would be used. Correct the name, or give the parameter its value.";
     OWN_KEYS = "AX121", "keys of axgen in the comments of a list",
         "`axgen export` writes keys that no controller knows as comments, `# axgen: fade 200ms`, and only `axgen import` reads \
          them. Where the list is read directly, its blocks are those of an axis without these keys: import the list, or write \
@@ -481,8 +482,8 @@ codes! {
          time in `limited`. Give the datum INT32, or scale it with fewer increments.";
     RESONANCE = "AX436", "a simulated oscillation with little damping",
         "In the mode INDIRECT the simulated oscillation has sqrt(1 + 1 / (4 D^2)) times its input at f0, which the weight \
-         multiplies: more than 14 times the motor's velocity is fed back. Take a larger damping ratio or a smaller weight, and look \
-         at v_add_calculated in DRYRUN first.";
+         multiplies: more than 14 times the motor's velocity is fed back. Take a larger damping ratio or a smaller weight, \
+         and look at v_add_calculated in DRYRUN first.";
     CAPPED = "AX437", "a weight above the cap",
         "The controller caps a weight (P-AXIS-00754/00755) above 7 at 7, without a message. Usually the denominator is \
          missing and therefore 1: 700 is meant as 700/100.";

@@ -57,7 +57,8 @@ static ROWS: &[Row] = rows! {
     error_state: "v_add is 0. The block restarts in the same cycle and fades in again; a delay continues with the present sample. If the \
                   memory of a spindle's changeover is overwritten, the spindle brakes to standstill, and the id stays until a reset.",
         "Something else writes to the memory of the block, or an input is far above vb_max. Find the cause, because the fault can recur.";
-    error_tuning: "Not a fault. The last valid value stays active; in the block axis or spindle_axis after a cycle in which it did not act, 0.",
+    error_tuning: "Not a fault. The last valid value stays active. After a cycle in which the block axis \
+                   or spindle_axis did not act, that value is 0.",
         "Write a number from 0 to 1 to each tuning input: the fraction follows it again.";
     error_unstable: "Not a fault. v_add fades out and stays 0 until the mode is not ON, or reset.",
         "Take a smaller weight or limit, then a reset, or the mode OFF or DRYRUN: the block is ready again (docs/improved-position-control.md).";

@@ -27,7 +27,7 @@ pub fn read(files: [&Path; 2], options: &ListOptions, load: Load<'_>) -> [Versio
     read_by([pipeline::read_to_look_at; 2], files, options, load)
 }
 
-/// Reads the block on the machine and the set that it is to get, which then acts: an unstable set that is enabled is refused.
+/// Reads the block on the machine, and the set that will act on it: a set that is enabled and unstable is refused.
 pub fn read_for_set(files: [&Path; 2], options: &ListOptions, load: Load<'_>) -> [Version; 2] {
     read_by([pipeline::read_to_look_at, pipeline::read_with], files, options, load)
 }
@@ -35,11 +35,8 @@ pub fn read_for_set(files: [&Path; 2], options: &ListOptions, load: Load<'_>) ->
 fn read_by(by: [Reader; 2], files: [&Path; 2], options: &ListOptions, load: Load<'_>) -> [Version; 2] {
     let some_list = files.iter().any(|file| !is_set(file));
     let none = ListOptions::default();
-    let read = |k: usize| {
-        let file = files[k];
-        by[k](file, if is_set(file) && some_list { &none } else { options }, load)
-    };
-    [read(0), read(1)]
+    let options = files.map(|file| if is_set(file) && some_list { &none } else { options });
+    std::array::from_fn(|k| by[k](files[k], options[k], load))
 }
 
 /// Compares two versions. Two lists are versions of one axis, even if their file names differ.

@@ -244,6 +244,9 @@ pub struct PositionControl {
 }
 
 impl PositionControl {
+    /// The process data through which an additive velocity reaches a drive that controls the position.
+    pub(crate) const ADDITIVE_VELOCITY: &str = "SERCOS S-0-0037, CANopen 60B1h, PROFIdrive NSOLL_B";
+
     /// Whether v_add reaches the drive: in the velocity command of the CNC, or as an additive velocity.
     pub(crate) fn passes_v_add(&self) -> bool {
         self.location == Location::Cnc || self.velocity.is_some()

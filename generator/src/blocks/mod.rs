@@ -106,7 +106,7 @@ fn meaning(fields: &'static [Field], before: &str, wanted: &str) -> Option<&'sta
 fn is_named(written: &str, name: &str) -> bool {
     let [written, name] = [written, name].map(|name| name.split(['_', '.']));
     let is_digit = |letter: char| letter.is_ascii_digit();
-    // Digits of the name itself are no index: m3 and m4 are two signals.
+    // A digit in the name itself is not an index: m3 and m4 are different signals.
     let is_part = |(written, name): (&str, &str)| {
         written.eq_ignore_ascii_case(name)
             || !name.ends_with(is_digit) && written.trim_end_matches(is_digit).eq_ignore_ascii_case(name)

@@ -4,7 +4,7 @@
 use super::excite::Excite;
 use super::names::Names;
 use super::{AGREEMENT, LEAST_DRIVE, LEAST_QUIET, LEAST_WINDOW, cycle};
-use crate::axis::Axis;
+use crate::axis::{Axis, PositionControl};
 use crate::blocks::EXCITATION;
 use crate::number::digits;
 use crate::target::Target;
@@ -61,7 +61,7 @@ pub(super) fn page(axis: &Axis, targets: &[Target]) -> First {
         off: "`hold_to_run := FALSE`",
         unit: axis.control.velocity_unit(),
         in_drive: !axis.control.commands_by_position(),
-        additive: "SERCOS S-0-0037, CANopen 60B1h, PROFIdrive NSOLL_B",
+        additive: PositionControl::ADDITIVE_VELOCITY,
         cycle: cycle(axis),
         cycle_ns: axis.cycle_time_ns,
         window: digits(LEAST_WINDOW),

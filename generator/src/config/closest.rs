@@ -17,7 +17,11 @@ pub(crate) fn all_nearest<'c>(name: &str, candidates: impl Iterator<Item = &'c s
     let few = 1 + name.len() / 4;
     let name = Letters::new(name);
     let near = candidates.filter_map(|candidate| Some((distance(name, Letters::new(candidate), few)?, candidate)));
-    let near: Vec<_> = near.collect();
+    of_least_distance(near.collect())
+}
+
+/// Those that differ least. Their order does not depend on the host.
+fn of_least_distance(near: Vec<(usize, &str)>) -> Vec<&str> {
     let least = near.iter().map(|(distance, _)| *distance).min();
     near.into_iter().filter(|(distance, _)| Some(*distance) == least).map(|(_, name)| name).collect()
 }
@@ -148,11 +152,7 @@ pub(crate) fn nearly(written: &str, length: usize, end: &str) -> Vec<String> {
     let is_comparable = |of: &&&Candidate| end.len() >= SHORT || end == of.end.text || is_doubled(end, of.end.text);
     let near = alike.filter(is_comparable);
     let near = near.filter_map(|of| Some((distance(Letters::new(&plain), of.whole, most)?, of.template)));
-    let mut near: Vec<_> = near.collect();
-    let least = near.iter().map(|(distance, _)| *distance).min();
-    near.retain(|(distance, _)| Some(*distance) == least);
-    near.dedup();
-    near.into_iter().map(|(_, template)| with_indices_of(template, written)).collect()
+    of_least_distance(near.collect()).into_iter().map(|template| with_indices_of(template, written)).collect()
 }
 
 /// The path of axgen's that a path without its first part is, or that has the same stage below `lr_param`:

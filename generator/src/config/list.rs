@@ -227,9 +227,8 @@ impl Reading<'_> {
             // The usual case, tested first, because comparing letters is slow.
             None if !structure.is_some_and(closest::is_ours) => {
                 self.list.foreign.pass_over(statement, last, source, start);
-                let below = || structure.and_then(|structure| closest::below_another(written, structure));
                 let mut known = closest::nearly(written, length, last);
-                known.extend(below());
+                known.extend(structure.and_then(|structure| closest::below_another(written, structure)));
                 if !known.is_empty() {
                     self.list.foreign.nearly.push((written.to_owned(), known, place()));
                 }

@@ -12,7 +12,8 @@ use machine::sequence::Sequence;
 use portable::peak;
 use std::fmt::Write;
 
-/// First line of a recording, up to the signals that only one kind of it has: of a translatory axis, and of a rotary one or a spindle.
+/// First line of a recording, up to the signals that only one kind of it has: for translatory axes, then for rotary axes and
+/// spindles.
 pub const HEADS: [&str; 2] = [
     "time [s],x_command [mm],x_actual [mm],v_command [um/s],v_motor [um/s],a_load [m/s^2]",
     "time [s],x_command [deg],x_actual [deg],v_command [0.001 deg/s],v_motor [0.001 deg/s],a_load [deg/s^2]",

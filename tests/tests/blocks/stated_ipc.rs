@@ -222,8 +222,8 @@ fn the_id_of_a_refused_set_stays_during_a_trip() {
     assert!(ids[refused..].iter().all(|id| *id == 8.0), "{:?}", &ids[refused..]);
 }
 
-/// "A fraction is 0 after a cycle in which the block axis does not act: it does not read its input then." A limit that was lowered
-/// during a reset, and an input that is no number afterwards, do not bring the old limit back.
+/// "A fraction is 0 after a cycle in which the block axis does not act: it does not read its input then." A limit is
+/// lowered during a reset, and the input is NaN afterwards: the old limit does not return.
 #[test]
 fn a_fraction_that_was_not_read_is_not_used() {
     let designed = read(

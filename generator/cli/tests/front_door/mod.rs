@@ -209,7 +209,7 @@ fn what_the_manuals_name_besides_is_known() {
         assert_eq!(all.lines().filter(|line| line.starts_with(&format!("{name} "))).count(), 1, "{name}");
         assert_eq!(page.lines().filter(|line| line.starts_with(&format!("| {name} |"))).count(), 1, "{name}");
     }
-    // The digit of m3 is no index: m4 is another signal.
+    // The digit in m3 is not an index: m4 is a different signal.
     assert!(
         ask("explain", "m4").contains("request: turn in negative direction") && ask("explain", "M5").contains("stop")
     );

@@ -86,7 +86,7 @@ fn no_way_out(e: &mut Effective<'_>, is_enabled: bool) {
          have no additive velocity"
     );
     let diagnostic = Diagnostic::error(code, e.place_of(key(Name::Enable)), found)
-        .allowed("an additive velocity command in the process data: SERCOS S-0-0037, CANopen 60B1h, PROFIdrive NSOLL_B")
+        .allowed(format!("an additive velocity command in the process data: {}", PositionControl::ADDITIVE_VELOCITY))
         .instead(
             "process_data.additive_velocity = \"INT32\" in a set, if the drive has it, or antr.operation_mode \
              CNC_POSITION_CONTROL (P-AXIS-00320)",
