@@ -40,7 +40,7 @@ impl<'t> Table<'t> {
     pub fn read(text: &'t str, wanted: &[&str]) -> Self {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let lines: Vec<&str> = text.lines().collect();
-        match scope::separator(lines.first().copied().unwrap_or_default()) {
+        match scope::separator(&lines) {
             Some(separator) => export(&lines, separator, wanted),
             None => plain(&lines),
         }

@@ -1,7 +1,7 @@
 //! The head of an export of TwinCAT Scope: its channels, their names, the first line of samples.
 //!
-//! It begins with `Name` and lines about the recording. A block of rows about the channels follows, each with a key and then
-//! a value for every channel. The key is repeated before each channel with its own column of times: the cell below a key is
+//! It begins with lines about the recording, of which the first one is usually its `Name`. A block of rows about the channels
+//! follows, each with a key and then a value for every channel. The key is repeated before each channel with its own column of times: the cell below a key is
 //! a time. The rows have the same number of cells as the samples, except two kinds:
 //!
 //! ```text
@@ -38,10 +38,13 @@ pub(super) struct Head<'t> {
     pub duration_ms: Option<f64>,
 }
 
-/// The separator of the cells, if the file is an export.
-pub(super) fn separator(first_line: &str) -> Option<char> {
-    let rest = first_line.strip_prefix(NAME).or_else(|| first_line.strip_prefix("\"Name\""))?;
-    rest.chars().next().filter(|letter| SEPARATORS.contains(letter))
+/// The separator of the cells, if the file is an export: a line above its samples begins with `Name`.
+pub(super) fn separator(lines: &[&str]) -> Option<char> {
+    let is_sample = |line: &str| line.starts_with(|letter: char| letter.is_ascii_digit() || "+-. ".contains(letter));
+    lines.iter().take_while(|line| !is_sample(line)).find_map(|line| {
+        let rest = line.strip_prefix(NAME).or_else(|| line.strip_prefix("\"Name\""))?;
+        rest.chars().next().filter(|letter| SEPARATORS.contains(letter))
+    })
 }
 
 /// A row about all channels.
