@@ -1,4 +1,4 @@
-//! The semantic diff: the effect of a change between two sets on the machine, in Hz, dB, degrees and seconds. No file is
+//! The semantic diff: the effect of a change between two sets on the machine, in Hz, dB, degrees, seconds and margins. No file is
 //! read here.
 //!
 //! Two axes do the same if all coefficients of their blocks are equal, however their parameters are written. A capped weight

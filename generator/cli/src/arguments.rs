@@ -54,7 +54,7 @@ pub enum Command {
     Report(ReportArguments),
     /// Runs an NC program on an axis, in a closed loop with a simple drive: a stimulus for `run`, and a picture
     Scenario(ScenarioArguments),
-    /// Shows what a change between two sets means, in Hz, dB, degrees and seconds
+    /// Shows what a change between two sets means, in Hz, dB, degrees, seconds and margins
     Diff {
         /// The set (or list) before
         old: PathBuf,

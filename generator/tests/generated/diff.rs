@@ -98,8 +98,12 @@ fn a_tiny_change_has_as_many_digits_as_show_it() {
 fn another_quality_factor_and_order() {
     assert_changed(
         &[("q_factor   10", "q_factor   5"), ("stage[0].filter.order      1", "stage[0].filter.order      2")],
-        &["stage[0]: quality factor 10 -> 5, bandwidth 5.3 -> 10.6 Hz, edges 50.41..55.71 -> 47.95..58.55 Hz, \
-             order 1 -> 2; slowest decay to 1/e 0.06005 -> 0.0193 s"],
+        &[
+            "stage[0]: quality factor 10 -> 5, bandwidth 5.3 -> 10.6 Hz, edges 50.41..55.71 -> 47.95..58.55 Hz, \
+             order 1 -> 2; slowest decay to 1/e 0.06005 -> 0.0193 s",
+            "stage[0]: largest weight: calm (Ms <= 2) 7 -> 2.1, stable 7, with a drive that only delays 1.5 cycles",
+            "stage[1]: largest weight: calm (Ms <= 2) 3.2 -> 0, stable 7, with a drive that only delays 1.5 cycles",
+        ],
     );
 }
 
@@ -107,8 +111,11 @@ fn another_quality_factor_and_order() {
 fn another_weight_and_damping() {
     assert_changed(
         &[("weight_fact_num   190", "weight_fact_num   95"), ("filter.damping    0.8", "filter.damping    0.4")],
-        &["stage[1]: weight 1.9 -> 0.95 (5.58 -> -0.45 dB); damping 0.8 -> 0.4; at 11 Hz: 7.01 -> 3.64 dB, 148 -> \
-             128.7 deg"],
+        &[
+            "stage[1]: weight 1.9 -> 0.95 (5.58 -> -0.45 dB); damping 0.8 -> 0.4; at 11 Hz: 7.01 -> 3.64 dB, 148 -> \
+             128.7 deg",
+            "stage[1]: largest weight: calm (Ms <= 2) 3.2 -> 1.2, stable 7 -> 4.6, with a drive that only delays 1.5 cycles",
+        ],
     );
 }
 
@@ -124,15 +131,24 @@ fn a_weight_above_the_cap() {
 
 #[test]
 fn another_mode() {
-    assert_changed(&[("INDIRECT", "SET_POINT")], &["stage[1]: INDIRECT from v_motor -> SET_POINT from v_command"]);
+    assert_changed(
+        &[("INDIRECT", "SET_POINT")],
+        &[
+            "stage[1]: INDIRECT from v_motor -> SET_POINT from v_command",
+            "stage[1]: largest weight: calm (Ms <= 2) 3.2 -> 5.2, stable 7, with a drive that only delays 1.5 cycles",
+        ],
+    );
 }
 
 #[test]
 fn a_stage_that_measures_now_what_it_simulated() {
     assert_changed(
         &[("stage[1].mode              INDIRECT", "stage[1].mode              DIRECT")],
-        &["stage[1]: INDIRECT from v_motor -> DIRECT from v_motor; damping 0.8 -> none; at 11 Hz: 7.01 -> 5.58 \
-             dB, 148 -> 180 deg"],
+        &[
+            "stage[1]: INDIRECT from v_motor -> DIRECT from v_motor; damping 0.8 -> none; at 11 Hz: 7.01 -> 5.58 \
+             dB, 148 -> 180 deg",
+            "stage[1]: largest weight: calm (Ms <= 2) 3.2 -> 7, stable 7, with a drive that only delays 1.5 cycles",
+        ],
     );
 }
 
@@ -157,8 +173,12 @@ fn an_all_pass_more() {
         format!("q_factor   10\n{base}filter[1].type ALLPASS\n{base}filter[1].fg_f0 51\n{base}filter[1].q_factor 10\n");
     assert_changed(
         &[("q_factor   10", &more)],
-        &["stage[0]: filter[1]: NO_FILTER -> ALLPASS with -180 deg at 51 Hz, -90 at 48.51 and -270 at 53.61 Hz; \
-             at 53 Hz: 9.54 dB, 180 -> 284.8 deg; slowest decay to 1/e 0.06005 -> 0.0624 s"],
+        &[
+            "stage[0]: filter[1]: NO_FILTER -> ALLPASS with -180 deg at 51 Hz, -90 at 48.51 and -270 at 53.61 Hz; \
+             at 53 Hz: 9.54 dB, 180 -> 284.8 deg; slowest decay to 1/e 0.06005 -> 0.0624 s",
+            "stage[0]: largest weight: calm (Ms <= 2) 7 -> 0.52, stable 7 -> 1.1, with a drive that only delays 1.5 cycles",
+            "stage[1]: largest weight: calm (Ms <= 2) 3.2 -> 0, stable 7 -> 0, with a drive that only delays 1.5 cycles",
+        ],
     );
 }
 
@@ -187,7 +207,8 @@ fn cycle_time_real_type_and_fade() {
         said(&old, &set("2ms", "")),
         [
             "axis X: cycle time 1000 -> 2000 us",
-            "axis X: stage[0]: edges 50.414..55.714 -> 50.406..55.706 Hz; slowest decay to 1/e 0.06005 -> 0.06001 s"
+            "axis X: stage[0]: edges 50.414..55.714 -> 50.406..55.706 Hz; slowest decay to 1/e 0.06005 -> 0.06001 s",
+            "axis X: stage[0]: largest weight: calm (Ms <= 2) 7 -> 3.6, stable 7, with a drive that only delays 1.5 cycles"
         ]
     );
     assert_eq!(said(&old, &set("1ms", "real = \"f32\"\n")), ["axis X: real type f64 -> f32"]);

@@ -87,6 +87,11 @@ fn active(designed: &Designed, design: &StageDesign, loops: &[(String, Loop<'_>)
     }
 }
 
+/// Each stage with the drive that is known best.
+pub(super) fn margins(designed: &Designed) -> impl Iterator<Item = Option<WithDrive>> {
+    rows(designed).into_iter().map(|row| row.active?.reserves.into_iter().next())
+}
+
 fn with_drive(design: &StageDesign, (drive, closed): &(String, Loop<'_>)) -> WithDrive {
     let [stable, calm] = closed.largest_weights(design.index);
     let reserve = Reserve::of(design.stage.weight(), [calm, stable]);

@@ -2,15 +2,17 @@
 //! the centre frequencies.
 
 use super::super::effects::is_same;
-use super::{filter, stage::StageDesign};
+use super::{details, filter, row::WithDrive, stage::StageDesign};
 use crate::axis::Tuning;
 use crate::blocks::designed::Designed;
 use crate::design::{band::warped, response};
-use crate::number::{decibels, decimals, pair, significant};
+use crate::number::{decibels, decimals, down_to, pair, significant};
 use crate::parameters::words::{StageMode, Words};
 use portable::Extreme;
+use stability::MAX_MS;
 
-/// The differences: one line each for limit, start, fade and bad samples, then a line for each stage.
+/// The differences: one line each for limit, start, fade and bad samples, then
+/// a line for each stage, and one for each that bears other weights.
 pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     let both = |value: &dyn Fn(&Designed) -> f64| [value(old), value(new)];
     let mut lines = Vec::new();
@@ -45,6 +47,10 @@ pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
         let line = of_stages(old.as_ref(), new.as_ref());
         lines.extend(line.map(|line| format!("stage[{index}]: {line}")));
     }
+    for (index, (old, new)) in details::margins(old).zip(details::margins(new)).enumerate() {
+        let line = old.zip(new).and_then(|(old, new)| of_margins(&old, &new));
+        lines.extend(line.map(|line| format!("stage[{index}]: {line}")));
+    }
     let takes = [old, new].map(|of| of.axis.ipc.takes_sets());
     if takes[0] != takes[1] {
         let [old, new] = takes.map(|takes| if takes { "taken over" } else { "none" });
@@ -70,6 +76,17 @@ pub(crate) fn added(of: &Designed) -> Vec<String> {
     lines.extend(stages.map(|stage| format!("stage[{}]: {}", stage.index, of_stage(stage))));
     lines.extend(ipc.takes_sets().then(|| "parameter sets taken over".to_owned()));
     lines
+}
+
+/// The largest weights of a stage, where they are others than before.
+fn of_margins(old: &WithDrive, new: &WithDrive) -> Option<String> {
+    let texts = |of: &WithDrive| [down_to(of.calm_up_to, 2), down_to(of.stable_up_to, 2), of.drive.clone()];
+    let [old, new] = [old, new].map(texts);
+    let [calm, stable, drive] = std::array::from_fn(|n| match [&old[n], &new[n]] {
+        [old, new] if old == new => new.clone(),
+        [old, new] => format!("{old} -> {new}"),
+    });
+    (old != new).then(|| format!("largest weight: calm (Ms <= {MAX_MS}) {calm}, stable {stable}, with {drive}"))
 }
 
 /// The inputs for tuning and their start values.
