@@ -16,6 +16,13 @@ pub(crate) fn is_allowed(name: &str) -> bool {
     characters && ends && !name.contains("__") && name.len() <= LONGEST
 }
 
+/// The name from a name in a project, of which the first characters that an axis may have; `None` if none is left.
+pub(crate) fn of_tree_item(words: &str) -> Option<String> {
+    let name = of_words(words);
+    let name = name[..name.len().min(LONGEST)].trim_end_matches('_');
+    is_allowed(name).then(|| name.to_owned())
+}
+
 /// The name from the stem of a file's name.
 pub(crate) fn of_file(path: &Path) -> String {
     of_words(&path.file_stem().unwrap_or_default().to_string_lossy())

@@ -11,7 +11,7 @@ use super::{axis_name, file, file::Load, other_kind, own_key, source::Source};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::{codes, parameters::Name};
 use rayon::prelude::*;
-use std::{collections::BTreeSet, path::Path, sync::Arc};
+use std::{collections::BTreeMap, path::Path, sync::Arc};
 
 /// The path of the stages of an axis, without their index.
 pub(crate) const ABOVE_STAGES: &str = "lr_param.improved_position_control.stage";
@@ -175,12 +175,12 @@ fn of_lists(path: &Path, source: &Arc<Source>, options: &ListOptions) -> Result<
         lists = vec![project::of_axis(lists, options.name.as_deref())?];
     }
     let axes: Vec<GivenAxis> = lists.iter().map(|list| of_list(path, list, options, &top, &mut report)).collect();
-    let mut names = BTreeSet::new();
-    for axis in axes.iter().filter(|axis| !names.insert(axis.name.to_ascii_lowercase())) {
-        let found = format!("the project has two axes `{}`", axis.name);
-        report.push(
-            Diagnostic::error(codes::AXIS_TWICE, axis.home.clone(), found).instead("another name for one of them"),
-        );
+    let mut first = BTreeMap::new();
+    for (axis, list) in axes.iter().zip(&lists) {
+        let first = first.entry(axis.name.to_ascii_lowercase()).or_insert(list);
+        if !std::ptr::eq(*first, list) {
+            report.push(list.twice(first, &axis.name));
+        }
     }
     Ok(Given { top, no_cycle_time, is_list: axes.len() == 1, axes, report })
 }

@@ -127,7 +127,7 @@ fn list(axis: Node<'_, '_>, cycle: Option<u64>, document: &Document<'_>, source:
     let name = child(axis, "Name").and_then(|name| name.text()).filter(|name| *name != NAME_OF_FILE);
     NcAxis {
         source: Source::converted(&source.name, text(&taken), source.encoding),
-        name: name.map(axis_name::of_words).filter(|name| axis_name::is_allowed(name)),
+        name: name.and_then(axis_name::of_tree_item),
         said: note(place, name, &said, &left, cycle),
     }
 }

@@ -88,34 +88,51 @@ fn list_in(element: Node<'_, '_>, text: &str) -> Option<Range<usize>> {
     is_alone.then_some(range.start + start..range.start + end)
 }
 
-/// The name of the innermost element around a list that has one.
+/// The name of the innermost element around a list that has one for an axis.
 fn name_of(element: Node<'_, '_>) -> Option<String> {
     let names = element.ancestors().filter_map(|above| {
         let mut inside = above.children().filter(|child| child.has_tag_name("ItemName") || child.has_tag_name("Name"));
         inside.find_map(|name| name.text())
     });
-    names.map(axis_name::of_words).find(|name| axis_name::is_allowed(name))
+    { names }.find_map(axis_name::of_tree_item)
 }
 
 /// The list of the axis with this name, or the only one.
 pub(crate) fn of_axis(mut lists: Vec<AxisList>, name: Option<&str>) -> Result<AxisList, Report> {
-    let is_it = |list: &AxisList| name.is_some() && list.name.as_deref() == name;
-    match lists.iter().position(is_it) {
-        _ if lists.len() == 1 => Ok(lists.swap_remove(0)),
-        Some(at) => Ok(lists.swap_remove(at)),
-        None => {
+    let is_it = |list: &AxisList| name.zip(list.name.as_deref()).is_some_and(|(a, b)| a.eq_ignore_ascii_case(b));
+    let matching: Vec<usize> = (0..lists.len()).filter(|at| lists.len() == 1 || is_it(&lists[*at])).collect();
+    match matching[..] {
+        [only] => Ok(lists.swap_remove(only)),
+        [first, second, ..] => Err(lists[second].twice(&lists[first], name.unwrap_or_default()).into()),
+        [] => {
             let found = match name {
                 Some(name) => format!("the project has several axes, and none is called {}", shown(name)),
                 None => "the project has several axes".to_owned(),
             };
             let names: Vec<&str> = lists.iter().filter_map(|list| list.name.as_deref()).collect();
             let said = Diagnostic::error(codes::NO_AXIS, lists[0].source.whole(), found);
-            Err(said.allowed(format!("the name of one of them: {}", names.join(", "))).into())
+            Err(match names[..] {
+                [] => said.instead("a file for each axis: none of them has a name in this one"),
+                _ => said.allowed(format!("the name of one of them: {}", names.join(", "))),
+            }
+            .into())
         }
     }
 }
 
 impl AxisList {
+    /// The line of the file in which the list begins.
+    fn place(&self) -> Place {
+        let of_list = || self.source.place(self.range.start);
+        Place { column: 0, ..self.said.as_ref().map_or_else(of_list, |said| said.place.clone()) }
+    }
+
+    /// Refuses a list whose axis has the name of another one.
+    pub(crate) fn twice(&self, first: &Self, name: &str) -> Diagnostic {
+        let found = format!("the project has two axes {}; the first is in line {}", shown(name), first.place().line);
+        Diagnostic::error(codes::AXIS_TWICE, self.place(), found).instead("another name for one of them in the project")
+    }
+
     pub(crate) fn bytes(&self) -> &[u8] {
         &self.source.bytes[self.range.clone()]
     }

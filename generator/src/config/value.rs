@@ -42,6 +42,7 @@ pub(crate) fn spelled<'t>(parameter: &Parameter, line: &'t str) -> Spelled<'t> {
         Kind::Words(words) | Kind::Flags(words) if !line.starts_with(|c: char| c.is_ascii_digit()) => {
             end_of_words(words, line)
         }
+        Kind::Word(words) if is_split(words, line) => line.len(),
         _ => end_of_word(line),
     };
     let (text, rest) = line.split_at(end);
@@ -61,6 +62,14 @@ pub(crate) fn spelled<'t>(parameter: &Parameter, line: &'t str) -> Spelled<'t> {
 
 pub(super) fn end_of_word(text: &str) -> usize {
     text.find([' ', '\t']).unwrap_or(text.len())
+}
+
+/// Whether a text is a word with blanks inside, as manuals print `SET POINT`: no comment after a value.
+fn is_split(words: &'static [Word], text: &str) -> bool {
+    let joined = |with: &str| text.split_ascii_whitespace().collect::<Vec<_>>().join(with);
+    let [first, whole, dense] = [text[..end_of_word(text)].to_owned(), joined("_"), joined("")];
+    words.iter().all(|word| !word.is_spelled(&first))
+        && words.iter().any(|word| word.is_spelled(&whole) || word.is_spelled(&dense))
 }
 
 /// The end of the words of a parameter at the start of a text; the end of the whole text if a word after them resembles one.

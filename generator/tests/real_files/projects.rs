@@ -1,6 +1,7 @@
 //! Projects of TwinCAT (`.xti`, `.tsproj`): the lists in them are read, and only they are written.
 
 use super::{File, IPC, VALID, canonical, exported, read, read_named, round_trip};
+use generator::config::ListOptions;
 use generator::import_export;
 use std::path::Path;
 
@@ -113,10 +114,13 @@ fn xml_without_a_list() {
     }
     let two = project(&[axis("X", VALID), axis("x", VALID)]);
     let said = read(&[("m.tsproj", two.as_bytes())]).1.to_string();
-    assert!(said.contains("error[AX007]: the project has two axes `x`"), "{said}");
-    let (set, report) =
-        import_export::import(Path::new("m.tsproj"), &Default::default(), &|_| Ok(two.clone().into_bytes()));
-    assert!(set.is_none() && report.to_string().contains("AX005"), "{report}");
+    let twice = "error[AX007]: the project has two axes `x`; the first is in line ";
+    assert!(said.contains(twice), "{said}");
+    for (name, code) in [(None, "AX005"), (Some("x"), twice)] {
+        let options = ListOptions { name: name.map(str::to_owned), ..ListOptions::default() };
+        let (set, report) = import_export::import(Path::new("m.tsproj"), &options, &|_| Ok(two.clone().into_bytes()));
+        assert!(set.is_none() && report.to_string().contains(code), "{report}");
+    }
 }
 
 /// Each is refused at once, and for what it is.
