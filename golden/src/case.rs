@@ -250,19 +250,27 @@ pub fn scenario_inputs(case: &Case, again: bool) -> Result<Option<Samples>, Stri
     }
 }
 
-/// Writes the reference's answers and the emitted files, and the inputs of a stimulus or those in `made`. Other files in the
-/// folder of emitted files are removed.
+/// The files to keep: the reference's answers, the emitted files, and the inputs of a stimulus or those in `made`.
 ///
 /// # Errors
-/// The stimulus does not fit, a required construct or event is missing, or the folder does not accept the files.
-pub fn record(case: &Case, made: Option<Samples>) -> Result<(), String> {
+/// The stimulus does not fit, or a required construct or event is missing.
+pub fn recorded(case: &Case, made: Option<Samples>) -> Result<Vec<File>, String> {
     let keeps_inputs = made.is_none() && matches!(case.source, Source::Scenario(_));
     let inputs = made.map_or_else(|| inputs(case, DIGEST_SAMPLES), Ok)?;
     let CaseFiles { mut files, missing } = case_files(case, &inputs)?;
     files.retain(|file| !(keeps_inputs && file.name == source::INPUTS));
-    if !missing.is_empty() {
-        return Err(format!("{}: the case does not show {}", case.folder.slashes(), missing.join(", ")));
+    if missing.is_empty() {
+        Ok(files)
+    } else {
+        Err(format!("{}: the case does not show {}", case.folder.slashes(), missing.join(", ")))
     }
+}
+
+/// Writes the files to keep. Other files in the folder of emitted files are removed.
+///
+/// # Errors
+/// The folder does not accept the files.
+pub fn keep(case: &Case, files: &[File]) -> Result<(), String> {
     let refused = |refusal: write::Refusal| {
         let said = refusal.report().diagnostics.into_iter().map(|of| format!("{}: {}", of.place.file, of.found));
         said.collect::<Vec<_>>().join("\n")
@@ -270,7 +278,7 @@ pub fn record(case: &Case, made: Option<Samples>) -> Result<(), String> {
     let folder = write::open(&case.folder).map_err(refused)?;
     let staged = files.iter().map(|file| write::stage(&folder, file)).collect();
     write::commit(folder, staged, true).map_err(refused)?;
-    for path in left_over(case, &files) {
+    for path in left_over(case, files) {
         std::fs::remove_file(&path).map_err(|error| format!("{}: {error}", path.slashes()))?;
     }
     Ok(())

@@ -17,13 +17,18 @@ pub fn parse(cell: &str, signal: &Signal, real: RealKind) -> Option<Literal> {
         (Type::U32, _) => cell.parse().ok().map(Literal::U32),
         (Type::Real, RealKind::F64) => match cell.strip_prefix("0x") {
             Some(digits) => bits(digits, 16).map(|bits| Literal::F64(f64::from_bits(bits))),
-            None => cell.parse().ok().map(Literal::F64),
+            None => cell.parse().ok().filter(|x: &f64| x.is_finite() || is_named(cell)).map(Literal::F64),
         },
         (Type::Real, RealKind::F32) => match cell.strip_prefix("0x") {
             Some(digits) => Some(Literal::F32(f32::from_bits(u32::try_from(bits(digits, 8)?).ok()?))),
-            None => cell.parse().ok().map(Literal::F32),
+            None => cell.parse().ok().filter(|x: &f32| x.is_finite() || is_named(cell)).map(Literal::F32),
         },
     }
+}
+
+/// Whether a number that is not finite is meant: `inf`, `NaN`; a number too large for its type is not.
+fn is_named(cell: &str) -> bool {
+    !cell.contains(|c: char| c.is_ascii_digit())
 }
 
 /// A number of exactly this many hexadecimal digits.

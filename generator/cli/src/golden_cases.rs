@@ -8,12 +8,18 @@ use generator::diagnostics::Slashes;
 use golden::case::{self, Case};
 use std::path::{Path, PathBuf};
 
-/// Writes the vectors of every case. Inputs of a scenario are written only if there are none, or with `again`.
+/// Writes the vectors of every case, after those of all cases have been computed. Inputs of a scenario are written only if
+/// there are none, or with `again`.
 pub fn record(folders: &[PathBuf], again: bool) -> Result<Exit, Exit> {
-    for case in read_all(folders)? {
+    let cases = read_all(folders)?;
+    let recorded = |case: &Case| {
+        let made = case::scenario_inputs(case, again)?;
+        case::recorded(case, made)
+    };
+    let files = cases.iter().map(|case| recorded(case).map_err(|text| unusable(&case.folder, text)));
+    for (case, files) in cases.iter().zip(files.collect::<Result<Vec<_>, Exit>>()?) {
         let failed = |text| Exit::environment(codes::CASE, case.folder.slashes(), text);
-        let made = case::scenario_inputs(&case, again).map_err(|text| unusable(&case.folder, text))?;
-        case::record(&case, made).map_err(failed)?;
+        case::keep(case, &files).map_err(failed)?;
         output::line(format!("{}: recorded", case.folder.slashes()))?;
     }
     Ok(Exit::Done)

@@ -57,6 +57,8 @@ struct Closed<'a> {
     is_done: bool,
     /// velocity of the previous cycle
     v_before: f64,
+    /// cycles up to the last request
+    requested: usize,
 }
 
 impl<'a> Closed<'a> {
@@ -64,7 +66,7 @@ impl<'a> Closed<'a> {
         run.subject.set("drive_on", 1.0);
         let axis = &run.designed.axis;
         let machine = Machine::start(axis, spindle, START)?;
-        Ok(Self { run, axis, spindle, machine, feedforward: [0.0, 100.0], is_done: false, v_before: 0.0 })
+        Ok(Self { run, axis, spindle, machine, feedforward: [0.0, 100.0], is_done: false, v_before: 0.0, requested: 0 })
     }
 }
 
@@ -169,8 +171,11 @@ impl Closed<'_> {
         speed
     }
 
-    /// Sets a request for one cycle, and waits until it is the job.
+    /// Sets a request for one cycle, and waits until it is the job. A request is an edge: before it is a cycle without one.
     fn request(&mut self, inputs: &[&str], speed: f64, target: f64, job: Job, line: usize) -> Result<(), Mistake> {
+        if self.requested == self.run.subject.inputs.len() {
+            self.cycle(line)?;
+        }
         let number = self.run.subject.get("job_number");
         for input in inputs {
             self.run.subject.set(input, 1.0);
@@ -178,6 +183,7 @@ impl Closed<'_> {
         self.run.subject.set("s_word", speed);
         self.run.subject.set("s_position", target);
         self.cycle(line)?;
+        self.requested = self.run.subject.inputs.len();
         for input in inputs.iter().chain(&["s_word", "s_position"]) {
             self.run.subject.set(input, 0.0);
         }
