@@ -371,6 +371,9 @@ codes! {
         "P-AXIS-00463 is the mode of position control, 8 (cyclic synchronous position mode), and P-AXIS-00464 that of velocity \
          control, 9 (cyclic synchronous velocity mode). Swapped, the drive would take each command for the other one. One manual \
          prints `CSP(9)` for the velocity mode, which is CSV(9).";
+    ONLY_VELOCITY = "AX352", "improved position control of a spindle that has velocity control alone",
+        "With P-AXIS-00767 and 00768 at 0 and position control in the drive, the drive has velocity control alone: the spindle is never \
+         under position control, and the stages would never act.";
 
     NO_STAGE = "AX401", "no stage is active",
         "Improved position control does nothing; without feedforward and position control the block is generated all the same, \

@@ -321,7 +321,10 @@ impl<R: Real> Block<R> for Excitation {
     types_init_and_step!(R, State);
 
     const NAME: &'static str = "excitation";
-    const ENABLE: Option<Enable> = Some(Enable { input: "hold_to_run", off: Off::Fade("active") });
+
+    fn enable(_: &Coeffs<R>) -> Option<Enable> {
+        Some(Enable { input: "hold_to_run", off: Off::Fade("active") })
+    }
 
     fn inputs(_: &Coeffs<R>) -> Inputs<R> {
         Inputs::default()

@@ -95,8 +95,11 @@ impl<R: Real> Block<R> for TunableAxis {
     types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = <axis::Axis as Block<R>>::NAME;
-    const ENABLE: Option<Enable> = <axis::Axis as Block<R>>::ENABLE;
     const SET: Option<&'static str> = Some("params");
+
+    fn enable(coeffs: &Coeffs<R>) -> Option<Enable> {
+        <axis::Axis as Block<R>>::enable(&coeffs.axis)
+    }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
         Inputs {

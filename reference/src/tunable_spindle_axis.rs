@@ -109,8 +109,11 @@ impl<R: Real> Block<R> for TunableSpindleAxis {
     types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = <spindle_axis::SpindleAxis as Block<R>>::NAME;
-    const ENABLE: Option<Enable> = Some(spindle::ENABLE);
     const SET: Option<&'static str> = Some("params");
+
+    fn enable(coeffs: &Coeffs<R>) -> Option<Enable> {
+        Some(spindle::enable(coeffs.spindle_axis.spindle.only_velocity))
+    }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
         Inputs {

@@ -9,7 +9,7 @@ mod rows;
 mod stage;
 mod unconnected;
 
-use crate::axis::{Axis, PositionControl};
+use crate::axis::{Axis, PositionControl, Spindle};
 use crate::blocks::ipc::closed_loop::{self, Known};
 use crate::blocks::{self, Designed, IPC, WHOLE};
 use crate::number::digits;
@@ -111,13 +111,15 @@ struct Signal {
     meaning: &'static str,
 }
 
-/// The page of an axis, with an active stage or without one; `None` for a gantry slave, whose master's block acts.
+/// The page of an axis, with an active stage or without one; `None` for a gantry slave, whose master's block acts, and for a
+/// spindle without position control.
 /// `parameters`: the digest of the parameters of its block `ipc`; `targets`: the targets of the page.
 pub(crate) fn file(designed: &Designed, parameters: String, targets: &[Target]) -> Option<File> {
     let axis = &designed.axis;
     let name = format!("{}_commissioning.md", stem(&axis.name));
     match axis.ipc.is_active() {
         _ if axis.control.master.is_some() => None,
+        _ if axis.control.spindle.as_ref().is_some_and(Spindle::only_velocity) => None,
         true => Some(rendered(&name, "", &page(designed, parameters, targets))),
         false => Some(rendered(&name, "", &first::page(axis, targets))),
     }

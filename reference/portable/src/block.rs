@@ -53,8 +53,6 @@ pub trait Block<R: Real> {
 
     /// The name in files and on the command line.
     const NAME: &'static str;
-    /// The input that turns the block off; `None` if there is no such input.
-    const ENABLE: Option<Enable>;
     /// The real inputs that are fractions from 0 to 1, not samples of a signal.
     const FRACTIONS: &'static [&'static str] = &[];
     /// The struct among the inputs that is a parameter set: it stays until another one is offered.
@@ -73,6 +71,9 @@ pub trait Block<R: Real> {
     fn is_usual_first(_: &Self::Coeffs) -> bool {
         false
     }
+
+    /// The input that turns the block off; `None` if there is no such input.
+    fn enable(coeffs: &Self::Coeffs) -> Option<Enable>;
 
     /// Uninitialised memory.
     fn memory() -> Self::State;

@@ -420,8 +420,11 @@ impl<R: Real> Block<R> for Axis {
     types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = "axis";
-    const ENABLE: Option<Enable> = Some(Enable { input: "position_controlled", off: Off::False });
     const FRACTIONS: &'static [&'static str] = ipc::tuning::INPUTS;
+
+    fn enable(_: &Coeffs<R>) -> Option<Enable> {
+        Some(Enable { input: "position_controlled", off: Off::False })
+    }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
         Inputs {

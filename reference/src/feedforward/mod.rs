@@ -315,7 +315,10 @@ impl<R: Real> Block<R> for Feedforward {
     types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = "feedforward";
-    const ENABLE: Option<Enable> = Some(Enable { input: "position_controlled", off: Off::False });
+
+    fn enable(_: &Coeffs<R>) -> Option<Enable> {
+        Some(Enable { input: "position_controlled", off: Off::False })
+    }
 
     fn inputs(_: &Coeffs<R>) -> Inputs<R> {
         Inputs { feedforward_percentage: 100, position_controlled: true, ..Inputs::default() }

@@ -493,8 +493,11 @@ impl<R: Real> Block<R> for Ipc {
     types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = "ipc";
-    const ENABLE: Option<Enable> = Some(Enable { input: "mode", off: Off::Mode(&mode_off::Ir::<R>::IR, "preset") });
     const FRACTIONS: &'static [&'static str] = tuning::INPUTS;
+
+    fn enable(_: &Coeffs<R>) -> Option<Enable> {
+        Some(Enable { input: "mode", off: Off::Mode(&mode_off::Ir::<R>::IR, "preset") })
+    }
 
     fn is_usual_first(coeffs: &Coeffs<R>) -> bool {
         coeffs.tuning.active

@@ -320,7 +320,10 @@ impl<R: Real> Block<R> for PositionControl {
     types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = "position_control";
-    const ENABLE: Option<Enable> = Some(Enable { input: "position_controlled", off: Off::False });
+
+    fn enable(_: &Coeffs<R>) -> Option<Enable> {
+        Some(Enable { input: "position_controlled", off: Off::False })
+    }
 
     fn inputs(_: &Coeffs<R>) -> Inputs<R> {
         Inputs { position_controlled: true, ..Inputs::default() }

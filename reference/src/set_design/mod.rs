@@ -142,9 +142,12 @@ impl<R: Real> Block<R> for SetDesign {
     types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = "set_design";
-    const ENABLE: Option<Enable> = Some(Enable { input: "execute", off: Off::Execute("works") });
     const MADE: Option<&'static str> = Some("params");
     const TYPED: bool = true;
+
+    fn enable(_: &Coeffs<R>) -> Option<Enable> {
+        Some(Enable { input: "execute", off: Off::Execute("works") })
+    }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
         Inputs { execute: false, limit: coeffs.set.ipc.limit, stage: coeffs.generated }

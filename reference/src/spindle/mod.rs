@@ -139,7 +139,7 @@ pub fn begin<R: Real>(
     cycle: &mut Cycle<R>,
     is_job: bool,
 ) -> u32 {
-    repair::repair(state, coeffs, cycle, is_job);
+    repair::repair(state, coeffs, inputs, cycle, is_job);
     let request_error = jobs::look(state, coeffs, inputs);
     if inputs.reset {
         reset(state, cycle, inputs.drive_on);
@@ -262,17 +262,22 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     }
 }
 
-/// A spindle that is turned off brakes as after a reset, and stands still under position control.
-pub const ENABLE: Enable = Enable {
-    input: "reset",
-    off: Off::Brake(Brake {
-        velocity: "v_spindle",
-        state: "spindle_state",
-        resting: &[SpindleState::Position as i32],
-        // With the drive on, its mode may still be velocity control.
-        drive: ("drive_on", SpindleState::ToPosition as i32),
-    }),
-};
+/// A spindle that is turned off brakes as after a reset, and stands still under position control. A drive with velocity control
+/// alone stands still in TO_POSITION, and stays there.
+#[must_use]
+pub fn enable(only_velocity: bool) -> Enable {
+    let (position, to_position) = (&[SpindleState::Position as i32], &[SpindleState::ToPosition as i32]);
+    Enable {
+        input: "reset",
+        off: Off::Brake(Brake {
+            velocity: "v_spindle",
+            state: "spindle_state",
+            resting: if only_velocity { to_position } else { position },
+            // With the drive on, its mode may still be velocity control.
+            drive: ("drive_on", SpindleState::ToPosition as i32),
+        }),
+    }
+}
 
 /// The block.
 #[derive(Clone, Copy, Debug)]
@@ -282,7 +287,10 @@ impl<R: Real> Block<R> for Spindle {
     types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = "spindle";
-    const ENABLE: Option<Enable> = Some(ENABLE);
+
+    fn enable(coeffs: &Coeffs<R>) -> Option<Enable> {
+        Some(enable(coeffs.only_velocity))
+    }
 
     fn is_usual_first(_: &Coeffs<R>) -> bool {
         true

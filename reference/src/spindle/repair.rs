@@ -1,7 +1,9 @@
 //! Detects corrupted memory: a state that no cycle can produce stops the spindle with an error.
 
+use super::change::locate;
 use super::request::{Job, Request};
-use super::state::{Coeffs, Cycle, SpindleState, State};
+use super::signals::Inputs;
+use super::state::{Coeffs, Cycle, Seen, SpindleState, State};
 use crate::angle::{full_turn, position_limit};
 use crate::signal::{
     error_brake, error_call_rate, error_cycle_time, error_half_turn, error_lag, error_mode_display, error_none,
@@ -79,28 +81,60 @@ pub fn largest_count() -> u32 {
     4_000_000_000u32
 }
 
-/// Whether a cycle can have left this motion.
+/// Whether a cycle can have left this position.
 #[portable]
-pub fn is_motion<R: Real>(state: &State<R>) -> bool {
-    state.x >= R::ZERO
-        && state.x < full_turn()
-        && state.x_start >= R::ZERO
-        && state.x_start < full_turn()
-        && in_range(state.v, sample_limit())
-        && in_range(state.seen.v, sample_limit())
-        && in_range(state.seen.v_last, sample_limit())
-        && in_range(state.seen.v_before, sample_limit())
+pub fn is_position<R: Real>(x: R) -> bool {
+    x >= R::ZERO && x < full_turn()
+}
+
+/// Whether a cycle can have left these samples.
+#[portable]
+pub fn is_seen<R: Real>(seen: &Seen<R>) -> bool {
+    in_range(seen.v, sample_limit()) && in_range(seen.v_last, sample_limit()) && in_range(seen.v_before, sample_limit())
+}
+
+/// Repairs an impossible motion, and only what is impossible in it: the spindle brakes from its velocity, at its position.
+/// Returns whether there was something to repair.
+#[portable]
+pub fn repair_motion<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
+    let mut is_repaired = false;
+    if !in_range(state.v, sample_limit()) {
+        state.v = if in_range(inputs.v_actual, sample_limit()) { inputs.v_actual } else { R::ZERO };
+        is_repaired = true;
+    }
+    if !is_position(state.x) {
+        state.x = R::ZERO;
+        locate(state, coeffs, inputs);
+        is_repaired = true;
+    }
+    if !is_position(state.x_start) {
+        state.x_start = state.x;
+        is_repaired = true;
+    }
+    if !is_seen(&state.seen) {
+        state.seen.v = R::ZERO;
+        state.seen.v_last = R::ZERO;
+        state.seen.v_before = R::ZERO;
+        is_repaired = true;
+    }
+    is_repaired
 }
 
 /// Repairs an impossible state: the spindle stops.
 #[portable]
-pub fn repair<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &mut Cycle<R>, is_job: bool) {
+pub fn repair<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    cycle: &mut Cycle<R>,
+    is_job: bool,
+) {
     note("memory that no cycle can have left is repaired, and the spindle stops");
     hold_counts(state);
     let is_error = may_stay(state, coeffs);
     let is_control = is_state(state);
-    let is_motion_sound = is_motion(state);
-    let is_intact = is_error && is_control && is_motion_sound && is_job && state.queued <= 4u32;
+    cycle.forgets = repair_motion(state, coeffs, inputs);
+    let is_intact = is_error && is_control && !cycle.forgets && is_job && state.queued <= 4u32;
     if !is_intact {
         state.lasting_error = error_state();
     }
@@ -109,13 +143,4 @@ pub fn repair<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &mut Cyc
     }
     cycle.control = if is_control { state.control } else { SpindleState::ToPosition };
     cycle.begins = !is_control;
-    if !is_motion_sound {
-        state.x = R::ZERO;
-        state.x_start = R::ZERO;
-        state.v = R::ZERO;
-        state.seen.v = R::ZERO;
-        state.seen.v_last = R::ZERO;
-        state.seen.v_before = R::ZERO;
-    }
-    cycle.forgets = !is_motion_sound;
 }

@@ -211,7 +211,8 @@ pub fn take_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Input
 pub fn to_position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle<R>) {
     let completes =
         if state.is_moving { take_up(state, coeffs, inputs, cycle) } else { start(state, coeffs, inputs, cycle) };
-    if completes {
+    // Without position control, a spindle that is reset stands still here.
+    if completes && !(coeffs.only_velocity && inputs.reset) {
         complete(state, coeffs, cycle);
     }
 }

@@ -1,11 +1,12 @@
 //! What the drive of a position loop got last. It keeps that velocity while a sample is missing, and an error that stops the
 //! spindle begins to brake from it.
 
-use super::{Coeffs, State};
+use super::{Coeffs, Inputs, State, is_in_cnc};
+use crate::feedforward;
 use crate::position_control::Location;
 use crate::signal::sample_limit;
 use crate::spindle::{self, SpindleState};
-use portable::{Real, in_range, note, portable};
+use portable::{Real, copy, in_range, note, portable};
 
 /// The velocity for the drive, without v_add.
 #[portable]
@@ -54,6 +55,24 @@ pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     }
 }
 
+/// The additive velocity for a drive that may still follow positions: the lead of its position command counts on it. In velocity
+/// control v_spindle goes out alone.
+#[portable]
+pub fn additive<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, v_spindle: R) -> R {
+    let mut v_additive = R::ZERO;
+    if coeffs.spindle.in_drive
+        && !coeffs.spindle.only_velocity
+        && coeffs.axis.position_control.additive
+        && inputs.operation_mode_display != coeffs.spindle.velocity_mode
+    {
+        let mut feedforward_inputs = feedforward::Inputs::<R>::default();
+        copy!(feedforward_inputs = inputs: feedforward_active, feedforward_percentage);
+        let gain_now = feedforward::gain(&coeffs.axis.feedforward, &feedforward_inputs);
+        v_additive = gain_now * v_spindle;
+    }
+    v_additive
+}
+
 /// The command of a cycle with an open loop: v_spindle alone. A position loop that misses a sample continues with its last
 /// command: the interpolator's velocity differs from it while the spindle accelerates. Every other way to a closed loop leads
 /// through BRAKE or TO_POSITION.
@@ -61,16 +80,16 @@ pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
 pub fn command_of_open<R: Real>(
     state: &mut State<R>,
     coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
     spindle_outputs: &spindle::Outputs<R>,
     command: &mut Command<R>,
     is_position: bool,
 ) {
-    let is_in_cnc = coeffs.axis.position_control.location == Location::Cnc;
     command.v_command = spindle_outputs.v_spindle;
-    command.v_additive = R::ZERO;
+    command.v_additive = additive(coeffs, inputs, spindle_outputs.v_spindle);
     if is_position {
         note("a sample is missing: the drive keeps its last command");
-        if is_in_cnc && in_range(state.held.v_command, sample_limit()) {
+        if is_in_cnc(coeffs) && in_range(state.held.v_command, sample_limit()) {
             command.v_command = state.held.v_command;
         }
         if coeffs.axis.position_control.additive && in_range(state.held.v_additive, sample_limit()) {
@@ -81,7 +100,7 @@ pub fn command_of_open<R: Real>(
     {
         state.held.v_command = command.v_command;
         state.held.v_additive = command.v_additive;
-        if is_in_cnc {
+        if is_in_cnc(coeffs) {
             state.lag_before = R::ZERO;
         }
     }

@@ -6,7 +6,8 @@
 //! ```
 //!
 //! In VELOCITY and BRAKE, and in TO_POSITION with position control in the CNC, the drive gets only v_spindle: no position
-//! controller, no feedforward, no improved position control.
+//! controller, no feedforward, no improved position control. A drive that does not display velocity control may still follow
+//! positions: part of v_spindle then goes out as the additive velocity that the lead of its position command counts on.
 
 #![expect(clippy::field_reassign_with_default, reason = "portable Rust makes a struct by its default alone")]
 
@@ -69,9 +70,16 @@ pub fn read<R: Real>(spindle_inputs: &mut spindle::Inputs<R>, inputs: &Inputs<R>
 /// Whether the drive may follow the position command in this cycle, so that the axis acts.
 #[portable]
 pub fn follows_position<R: Real>(coeffs: &Coeffs<R>, control: SpindleState) -> bool {
-    control == SpindleState::Position
-        || control == SpindleState::ToVelocity
-        || coeffs.spindle.in_drive && !coeffs.spindle.only_velocity && control == SpindleState::ToPosition
+    !coeffs.spindle.only_velocity
+        && (control == SpindleState::Position
+            || control == SpindleState::ToVelocity
+            || coeffs.spindle.in_drive && control == SpindleState::ToPosition)
+}
+
+/// Whether the CNC controls the position.
+#[portable]
+pub fn is_in_cnc<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    coeffs.axis.position_control.location == Location::Cnc && !coeffs.spindle.only_velocity
 }
 
 /// largest position lag of a loop in the CNC: above half a turn the loop would turn the spindle the other way [0.001 deg]
@@ -190,6 +198,9 @@ pub fn put_out_velocity<R: Real>(
         let command_increments = coeffs.spindle.velocity_scale * (spindle_outputs.v_spindle - v_additive);
         process_data::round(&mut datum, &coeffs.spindle.velocity_range, command_increments);
         outputs.velocity_command = datum.value;
+        if datum.limited {
+            outputs.limited = true;
+        }
     } else {
         outputs.velocity_command = spindle_outputs.velocity_command;
     }
@@ -206,8 +217,12 @@ pub fn put_out<R: Real>(
     copy!(outputs = axis_outputs:
         v_command, v_feedforward, v_add, v_add_calculated, x_drive, manipulated_variable, additive_torque,
         additive_velocity, held, tripped);
-    outputs.limited =
-        if coeffs.spindle.in_drive { spindle_outputs.limited || axis_outputs.limited } else { axis_outputs.limited };
+    // With feedforward another velocity goes out.
+    outputs.limited = if coeffs.spindle.in_drive && !coeffs.spindle.has_feedforward {
+        spindle_outputs.limited || axis_outputs.limited
+    } else {
+        axis_outputs.limited
+    };
 }
 
 /// Reports the id of the tripped watch if there is no fault.
@@ -232,7 +247,7 @@ pub fn open<R: Real>(
     axis_inputs.x_command = spindle_outputs.x_spindle;
     axis::follow(&mut state.axis, &coeffs.axis, &axis_inputs, &mut axis_outputs, error_none());
     let mut control_outputs = position_control::Outputs::<R>::default();
-    if coeffs.axis.position_control.location == Location::Cnc {
+    if is_in_cnc(coeffs) {
         axis_outputs.v_command = command.v_command;
         let open_increments = coeffs.axis.position_control.manipulated_scale * command.v_command;
         axis_outputs.manipulated_variable = position_control::rounded(
@@ -301,20 +316,19 @@ pub fn any_cycle<R: Real>(
     spindle::any_cycle(&mut state.spindle, &coeffs.spindle, spindle_inputs, &mut spindle_outputs);
     let follows = follows_position(coeffs, spindle_outputs.spindle_state);
     let has_failed = state.spindle.lasting_error != error_none();
-    let is_in_cnc = coeffs.axis.position_control.location == Location::Cnc;
-    if is_in_cnc && follows && has_failed && !had_failed {
+    if is_in_cnc(coeffs) && follows && has_failed && !had_failed {
         held::brake(state, coeffs);
         spindle_outputs.v_spindle = state.spindle.v;
     }
     // A spindle that is stopped, or continues without the interpolator, moves by its velocity command only. With the drive off
     // the state is TO_POSITION.
-    let is_position = follows && !has_failed && (is_in_cnc || inputs.drive_on);
+    let is_position = follows && !has_failed && (is_in_cnc(coeffs) || inputs.drive_on);
     if is_position && state.spindle.missing == 0u32 {
         close(state, coeffs, inputs, &spindle_outputs, outputs, missed, v_missed);
         put_out_velocity(coeffs, &spindle_outputs, outputs, state.held.v_additive);
     } else {
         let mut command = Command::<R>::default();
-        held::command_of_open(state, coeffs, &spindle_outputs, &mut command, is_position);
+        held::command_of_open(state, coeffs, inputs, &spindle_outputs, &mut command, is_position);
         open(state, coeffs, &spindle_outputs, outputs, &command);
         put_out_velocity(coeffs, &spindle_outputs, outputs, command.v_additive);
     }
@@ -365,8 +379,11 @@ impl<R: Real> Block<R> for SpindleAxis {
     types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = "spindle_axis";
-    const ENABLE: Option<Enable> = Some(spindle::ENABLE);
     const FRACTIONS: &'static [&'static str] = ipc::tuning::INPUTS;
+
+    fn enable(coeffs: &Coeffs<R>) -> Option<Enable> {
+        Some(spindle::enable(coeffs.spindle.only_velocity))
+    }
 
     fn is_usual_first(_: &Coeffs<R>) -> bool {
         true

@@ -99,9 +99,11 @@ impl<R: Real> Block<R> for TunableIpc {
     types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = <ipc::Ipc as Block<R>>::NAME;
-    const ENABLE: Option<Enable> =
-        Some(Enable { input: "mode", off: Off::Mode(&ipc::mode_off::Ir::<R>::IR, "ipc.preset") });
     const SET: Option<&'static str> = Some("params");
+
+    fn enable(_: &Coeffs<R>) -> Option<Enable> {
+        Some(Enable { input: "mode", off: Off::Mode(&ipc::mode_off::Ir::<R>::IR, "ipc.preset") })
+    }
 
     fn is_usual_first(_: &Coeffs<R>) -> bool {
         true

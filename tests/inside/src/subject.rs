@@ -24,9 +24,12 @@ macro_rules! subject {
             type Outputs = $outputs;
 
             const NAME: &'static str = $name;
-            const ENABLE: Option<portable::Enable> = None;
             const INIT: portable::Fn = init::Ir::<R>::IR;
             const STEP: portable::Fn = step::Ir::<R>::IR;
+
+            fn enable(_: &$coeffs) -> Option<portable::Enable> {
+                None
+            }
 
             fn memory() -> $state {
                 $crate::subject::unset()

@@ -266,6 +266,37 @@ static void shares(int32_t percentage, bool loses_sample)
     }
     holds(seen[0] && seen[1] && seen[2] && seen[3] && seen[4] && outputs.spindle_state == 0, "shares", percentage);
 }
+
+/* The additive velocity is this part of v_spindle, and the velocity command the rest. */
+static bool is_shared(double part)
+{
+    return fabs((double)outputs.additive_velocity - INCREMENTS * part * outputs.v_spindle) <= 0.5
+        && fabs((double)outputs.velocity_command - INCREMENTS * (1.0 - part) * outputs.v_spindle) <= 0.5;
+}
+
+/* An error, or drive_on FALSE while the drive is on after all: as long as the drive displays position control, it needs the additive
+ * velocity that the lead of its position command counts on. */
+static void keeps_lead(bool goes_off)
+{
+    turn(0.0, 0.0);
+    inputs.feedforward_active = true;
+    for (v = 0.0; v <= 9e5; v += STEP) {
+        inputs.v_actual = v;
+        cycle(0.0);
+    }
+    const bool was_shared = outputs.spindle_state == 0 && outputs.v_spindle > 8e5 && is_shared(1.0);
+    inputs.v_actual = outputs.v_spindle;
+    inputs.drive_on = !goes_off;
+    inputs.task_cycle_ns = goes_off ? 0u : 1u;
+    bool is_kept = true;
+    for (int i = 0; i < 30; i++) {
+        cycle(0.0);
+        is_kept = is_kept && is_shared(1.0);
+    }
+    inputs.operation_mode_display = 1;
+    cycle(0.0);
+    holds(was_shared && is_kept && outputs.v_spindle > 4e5 && is_shared(0.0), "keeps", goes_off);
+}
 #else
 /* The velocity command is limited at the ends of INT32: 2^31 increments are 1.288e9. */
 static void limits(double velocity, bool is_limited)
@@ -283,6 +314,8 @@ int main(void)
 #if defined IN_DRIVE && defined ADDITIVE
     shares(100, false);
     shares(37, true);
+    keeps_lead(false);
+    keeps_lead(true);
 #elif defined IN_DRIVE
     limits(1.288e9, false);
     limits(1.289e9, true);

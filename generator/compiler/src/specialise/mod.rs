@@ -67,7 +67,7 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
     specialiser.entered = specialiser.cells.len();
     let init = specialiser.function(&B::INIT, &[state]);
     let step = specialiser.function(&B::STEP, &[state, coefficients, inputs, outputs]);
-    let switch = B::ENABLE.map(|enable| specialiser.switch(enable));
+    let switch = B::enable(coeffs).map(|enable| specialiser.switch(enable));
     let mut program = Program { switch, init, step, ..specialiser.program };
     if program.is_made_single {
         narrow(&mut program);

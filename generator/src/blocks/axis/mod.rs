@@ -98,9 +98,10 @@ impl BlockKind for Axis {
 /// The parts of the block that the axis has, in their order.
 pub(super) fn parts(designed: &Designed) -> String {
     let of: Coeffs<f64> = Axis::design(designed);
+    let only_velocity = designed.spindle.only_velocity;
     let parts = [
         (of.has_feedforward, "feedforward"),
-        (of.position_control.location == Location::Cnc, "position control in the CNC"),
+        (!only_velocity && of.position_control.location == Location::Cnc, "position control in the CNC"),
         (of.position_control.location != Location::Cnc, "commands for the drive, which controls the position"),
         (of.addition == Addition::Ipc, "improved position control, whose v_add fades in"),
         (of.addition == Addition::Sets, "improved position control with parameter sets, whose v_add fades in"),

@@ -62,27 +62,27 @@ pub(crate) fn check(
     cycle_time: Option<u32>,
     drive: &Drive,
     feedforward: Option<&Feedforward>,
-    is_slave: bool,
+    [is_slave, has_stages]: [bool; 2],
 ) -> Option<Spindle> {
     drive::note(e, &[Name::DriveType, Name::OperationMode]);
-    if is_slave {
-        let found =
-            "a gantry slave (P-AXIS-00070) follows its master's position, and cannot change to velocity control";
-        let said = Diagnostic::error(codes::GANTRY_SPINDLE, e.place_of(key(Name::GantryMaster)), found);
-        e.report.push(said.instead("no gantry, or no P-AXIS-00767 and P-AXIS-00768"));
-    }
+    let is_in_drive = drive.location != Location::Cnc;
     let velocities = velocities::check(e, drive.gear);
-    let is_alone =
-        drive.location != Location::Cnc && velocities.as_ref().is_some_and(|of| of.on.value == 0 && of.off.value == 0);
+    let is_alone = is_in_drive && velocities.as_ref().is_some_and(|of| of.on.value == 0 && of.off.value == 0);
+    if is_slave {
+        without_gantry(e);
+    }
+    if is_alone && has_stages {
+        without_stages(e);
+    }
     let kv = if is_alone { Some(0) } else { e.integer((Name::Kv, [drive.gear, 0])) };
     let deceleration = e.real(key(Name::SpindleDeceleration));
     let changing = velocities.as_ref().filter(|_| !is_alone);
     let window = window::settled(e, cycle_time, drive.gear, changing);
     let takeover_window = e.real(key(Name::SpindleTakeoverWindow));
-    let (changeover, delay_cycles) = if drive.location == Location::Cnc {
-        (Some(Changeover::Cnc), Some(0))
-    } else {
+    let (changeover, delay_cycles) = if is_in_drive {
         (in_drive::check(e, drive.location, feedforward, is_alone), in_drive::delay_cycles(e, is_alone))
+    } else {
+        (Some(Changeover::Cnc), Some(0))
     };
     let counted = if is_alone { None } else { counted(e, feedforward) };
     if let (Some(changeover), Some(of), Some(kv), Some(window)) = (&changeover, changing, kv, window) {
@@ -92,7 +92,6 @@ pub(crate) fn check(
             lag::seen(e, of, ns);
         }
     }
-    let is_in_drive = drive.location != Location::Cnc;
     if let (true, Some(ns), Some(velocities), Some(window)) = (is_in_drive, cycle_time, &velocities, window) {
         limits::half_a_revolution(e, ns, velocities, window);
     }
@@ -118,6 +117,21 @@ pub(crate) fn check(
         mode_timeout_ns: mode_timeout_ns?,
         brake_timeout_ns: brake_timeout_ns?,
     })
+}
+
+/// A gantry slave does not change over.
+fn without_gantry(e: &mut Effective<'_>) {
+    let found = "a gantry slave (P-AXIS-00070) follows its master's position, and cannot change to velocity control";
+    let said = Diagnostic::error(codes::GANTRY_SPINDLE, e.place_of(key(Name::GantryMaster)), found);
+    e.report.push(said.instead("no gantry, or no P-AXIS-00767 and P-AXIS-00768"));
+}
+
+/// A drive with velocity control alone has no stages.
+fn without_stages(e: &mut Effective<'_>) {
+    let found = "improved position control has stages, and the drive has velocity control alone: Von and Voff are 0 \
+                 (P-AXIS-00767, 00768)";
+    let said = Diagnostic::error(codes::ONLY_VELOCITY, e.place_of(key(Name::VVelocityControlOn)), found);
+    e.report.push(said.instead("Von and Voff of a drive with position control, or the mode NOT_ACTIVE of each stage"));
 }
 
 /// The position lag, of the loop in the CNC or where the drive takes up position control.

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   79b46221775bdd2be3acf8f28d8c0796
- * checksum    c05dac9304d2065bfa93bfda92ff6ec6
+ * structure   8a0b9bf90b2b2f2619e91970a31e3ab9
+ * checksum    e92d70de817f0a6ce346ecedd1832789
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -336,15 +336,66 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION)
             && state->spindle_control_copy == state->spindle_control
             && (state->spindle_is_moving || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION);
-    const bool spindle_is_motion_sound =
-        state->spindle_x >= 0.0 && state->spindle_x < axis_s_spindle_axis_full_turn && state->spindle_x_start >= 0.0
-            && state->spindle_x_start < axis_s_spindle_axis_full_turn
-            && axis_s_spindle_axis_magnitude(state->spindle_v) <= axis_s_spindle_axis_sample_limit
-            && axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= axis_s_spindle_axis_sample_limit
+    bool spindle_is_repaired;
+    if (axis_s_spindle_axis_magnitude(state->spindle_v) <= axis_s_spindle_axis_sample_limit) {
+        spindle_is_repaired = false;
+    } else {
+        double spindle_v;
+        if (axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit) {
+            spindle_v = inputs->v_actual;
+        } else {
+            spindle_v = 0.0;
+        }
+        state->spindle_v = spindle_v;
+        spindle_is_repaired = true;
+    }
+    const double spindle_x = state->spindle_x;
+    bool spindle_is_repaired_2;
+    if (spindle_x >= 0.0 && spindle_x < axis_s_spindle_axis_full_turn) {
+        spindle_is_repaired_2 = spindle_is_repaired;
+    } else {
+        state->spindle_x = 0.0;
+        if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
+            double spindle_lead;
+            if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
+                int32_t spindle_percentage;
+                if (inputs->feedforward_percentage < 100) {
+                    spindle_percentage = inputs->feedforward_percentage;
+                } else {
+                    spindle_percentage = 100;
+                }
+                spindle_lead = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage);
+            } else {
+                spindle_lead = spindle_lead_time;
+            }
+            const double spindle_x_turning = inputs->x_actual + state->spindle_v * spindle_lead;
+            if (axis_s_spindle_axis_magnitude(spindle_x_turning) <= axis_s_spindle_axis_position_limit) {
+                state->spindle_x = spindle_x_turning;
+            }
+        }
+        spindle_is_repaired_2 = true;
+    }
+    const double spindle_x_2 = state->spindle_x_start;
+    bool spindle_is_repaired_3;
+    if (spindle_x_2 >= 0.0 && spindle_x_2 < axis_s_spindle_axis_full_turn) {
+        spindle_is_repaired_3 = spindle_is_repaired_2;
+    } else {
+        state->spindle_x_start = state->spindle_x;
+        spindle_is_repaired_3 = true;
+    }
+    bool spindle_is_repaired_4;
+    if (axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= axis_s_spindle_axis_sample_limit
             && axis_s_spindle_axis_magnitude(state->spindle_seen_v_last) <= axis_s_spindle_axis_sample_limit
-            && axis_s_spindle_axis_magnitude(state->spindle_seen_v_before) <= axis_s_spindle_axis_sample_limit;
+            && axis_s_spindle_axis_magnitude(state->spindle_seen_v_before) <= axis_s_spindle_axis_sample_limit) {
+        spindle_is_repaired_4 = spindle_is_repaired_3;
+    } else {
+        state->spindle_seen_v = 0.0;
+        state->spindle_seen_v_last = 0.0;
+        state->spindle_seen_v_before = 0.0;
+        spindle_is_repaired_4 = true;
+    }
     const bool spindle_is_intact =
-        spindle_is_error && spindle_is_control && spindle_is_motion_sound && spindle_is_job
+        spindle_is_error && spindle_is_control && !spindle_is_repaired_4 && spindle_is_job
             && state->spindle_queued <= 4u;
     if (!spindle_is_intact) {
         state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
@@ -359,15 +410,6 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         spindle_cycle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
     }
     const bool spindle_begins = !spindle_is_control;
-    if (!spindle_is_motion_sound) {
-        state->spindle_x = 0.0;
-        state->spindle_x_start = 0.0;
-        state->spindle_v = 0.0;
-        state->spindle_seen_v = 0.0;
-        state->spindle_seen_v_last = 0.0;
-        state->spindle_seen_v_before = 0.0;
-    }
-    const bool spindle_forgets = !spindle_is_motion_sound;
     const bool spindle_is_any = inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74;
     uint32_t spindle_request_error;
     if (spindle_is_any || state->spindle_before_any) {
@@ -476,7 +518,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     }
     int32_t spindle_cycle_control_2;
-    bool spindle_forgets_2;
+    bool spindle_forgets;
     bool spindle_begins_2;
     if (inputs->reset) {
         if (state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
@@ -487,16 +529,16 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                     spindle_cycle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !state->spindle_is_moving;
                 if (spindle_at_start) {
                     spindle_cycle_control_2 = spindle_cycle_control;
-                    spindle_forgets_2 = true;
+                    spindle_forgets = true;
                 } else {
                     spindle_cycle_control_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                    spindle_forgets_2 = spindle_forgets;
+                    spindle_forgets = spindle_is_repaired_4;
                 }
                 spindle_begins_2 = true;
             } else {
                 spindle_cycle_control_2 = spindle_cycle_control;
                 spindle_begins_2 = spindle_begins;
-                spindle_forgets_2 = spindle_forgets;
+                spindle_forgets = spindle_is_repaired_4;
             }
         } else {
             if (spindle_cycle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
@@ -506,12 +548,12 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             }
             spindle_cycle_control_2 = spindle_cycle_control;
             spindle_begins_2 = spindle_begins;
-            spindle_forgets_2 = spindle_forgets;
+            spindle_forgets = spindle_is_repaired_4;
         }
     } else {
         spindle_cycle_control_2 = spindle_cycle_control;
         spindle_begins_2 = spindle_begins;
-        spindle_forgets_2 = spindle_forgets;
+        spindle_forgets = spindle_is_repaired_4;
     }
     const bool spindle_is_wrong =
         inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != axis_s_spindle_axis_spindle_cycle_time_ns;
@@ -519,14 +561,14 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME;
     }
     int32_t spindle_cycle_control_3;
-    bool spindle_forgets_3;
+    bool spindle_forgets_2;
     if (inputs->drive_on) {
         spindle_cycle_control_3 = spindle_cycle_control_2;
-        spindle_forgets_3 = spindle_forgets_2;
+        spindle_forgets_2 = spindle_forgets;
     } else {
         /* the drive is off: the start begins again */
-        spindle_forgets_3 =
-            spindle_forgets_2 || spindle_cycle_control_2 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION
+        spindle_forgets_2 =
+            spindle_forgets || spindle_cycle_control_2 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION
                 || state->spindle_is_moving;
         state->spindle_is_moving = false;
         state->spindle_takes_over = false;
@@ -551,7 +593,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         inputs->drive_on && !spindle_may_act && spindle_at_start_2 && state->spindle_cycles == 0u;
     const bool spindle_is_followed = spindle_at_start_2 && (!inputs->drive_on || spindle_may_act || spindle_is_seized);
     const bool spindle_is_known = axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
-    if (spindle_forgets_3 || (spindle_is_followed && !spindle_is_known)) {
+    if (spindle_forgets_2 || (spindle_is_followed && !spindle_is_known)) {
         state->spindle_seen_samples = 0u;
         state->spindle_seen_slow = 0u;
     }
@@ -625,19 +667,19 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             } else {
                 spindle_v_shown = spindle_v_turning;
             }
-            double spindle_lead;
+            double spindle_lead_2;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                int32_t spindle_percentage;
+                int32_t spindle_percentage_2;
                 if (inputs->feedforward_percentage < 100) {
-                    spindle_percentage = inputs->feedforward_percentage;
+                    spindle_percentage_2 = inputs->feedforward_percentage;
                 } else {
-                    spindle_percentage = 100;
+                    spindle_percentage_2 = 100;
                 }
-                spindle_lead = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage);
+                spindle_lead_2 = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_2);
             } else {
-                spindle_lead = spindle_lead_time;
+                spindle_lead_2 = spindle_lead_time;
             }
-            const double spindle_lead_shown = spindle_lead - spindle_cycle_time;
+            const double spindle_lead_shown = spindle_lead_2 - spindle_cycle_time;
             const double spindle_way = spindle_v_shown * spindle_lead_shown;
             double spindle_ahead;
             if (axis_s_spindle_axis_magnitude(spindle_way) <= lead_limit) {
@@ -978,19 +1020,19 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     }
     if (spindle_resynchronises) {
         state->spindle_is_moving = true;
-        double spindle_lead_2;
+        double spindle_lead_3;
         if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-            int32_t spindle_percentage_2;
+            int32_t spindle_percentage_3;
             if (inputs->feedforward_percentage < 100) {
-                spindle_percentage_2 = inputs->feedforward_percentage;
+                spindle_percentage_3 = inputs->feedforward_percentage;
             } else {
-                spindle_percentage_2 = 100;
+                spindle_percentage_3 = 100;
             }
-            spindle_lead_2 = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_2);
+            spindle_lead_3 = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_3);
         } else {
-            spindle_lead_2 = spindle_lead_time;
+            spindle_lead_3 = spindle_lead_time;
         }
-        const double spindle_way_2 = state->spindle_v * spindle_lead_2;
+        const double spindle_way_2 = state->spindle_v * spindle_lead_3;
         double spindle_ahead_2;
         if (axis_s_spindle_axis_magnitude(spindle_way_2) <= lead_limit) {
             spindle_ahead_2 = inputs->x_actual + spindle_way_2;

@@ -102,7 +102,7 @@ impl Model {
             self.stays = if is_missing {
                 sample.filter(|_| self.now - self.complete_at >= TOO_MANY)
             } else {
-                self.test(inputs).or_else(|| self.overdue(next, sample))
+                self.test(inputs).or_else(|| self.overdue(next, sample, inputs.reset))
             };
         }
         let motion = match (self.stays, is_missing) {
@@ -279,14 +279,18 @@ impl Model {
     }
 
     /// The time of the state is over. That of a spindle that is waited for does not run.
-    fn overdue(&self, next: Option<i32>, sample: Option<u32>) -> Option<u32> {
+    fn overdue(&self, next: Option<i32>, sample: Option<u32>, reset: bool) -> Option<u32> {
         let Entry { state, since, .. } = self.current();
         let (mode, brake) = (self.p.mode_timeout_cycles, self.p.brake_timeout_cycles);
+        // A spindle without position control, which is reset, waits at rest.
+        let is_slow = !self.is_at_start() || self.samples.is_slow(&self.p);
+        let rests = self.p.only_velocity && reset && sample.is_none() && is_slow;
         let is_over = |cycles: u32| next.is_none() && self.now >= since + u64::from(cycles);
         match state {
             TO_VELOCITY => is_over(mode).then_some(41),
             BRAKE if self.is_caught && is_over(mode) => Some(41),
             BRAKE => is_over(brake).then_some(42),
+            TO_POSITION if rests => None,
             TO_POSITION if self.is_at_start() => (is_over(mode + 2) && sample != Some(47)).then_some(43),
             TO_POSITION => is_over(mode).then_some(43),
             _ => None,
@@ -309,6 +313,8 @@ impl Model {
             _ if self.is_at_start() && !self.samples.is_slow(&self.p) => self.samples.is_fast(&self.p).then_some(BRAKE),
             // It turns slowly, and goes on doing so.
             _ if self.is_at_start() && self.v != 0.0 => Some(TO_POSITION),
+            // A spindle without position control stands still there while it is reset.
+            _ if self.p.only_velocity && inputs.reset => None,
             _ => self.displays(inputs, self.p.position_mode).then_some(self.closed()),
         }
     }
