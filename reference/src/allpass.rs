@@ -13,7 +13,6 @@ use portable::{Real, copy, portable};
 ///
 /// Double precision uses a1, a2 and preset; single precision uses a, b and c.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// numerator and denominator: s1 = a1 x - a1 y + s2
     pub a1: R,
@@ -63,48 +62,8 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     x
 }
 
-/// Copies the numbers of another section.
-#[portable]
-pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
-    if is_driven_by_change::<R>() {
-        copy!(coeffs = offered: a, b, c);
-    } else {
-        copy!(coeffs = offered: a1, a2, preset);
-    }
-}
-
-/// Picks the number whose turn it is, its copy, and what it is; turns are numbered from `first`. Returns the turn after the last
-/// one.
-#[portable]
-pub fn pick<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32, numbers: &Coeffs<R>, copy: &Coeffs<R>) -> u32 {
-    if is_driven_by_change::<R>() {
-        if turn == first {
-            picked.number = numbers.a;
-            picked.copy = copy.a;
-        }
-        if turn == first + 1u32 {
-            picked.number = numbers.b;
-            picked.copy = copy.b;
-        }
-        if turn == first + 2u32 {
-            picked.number = numbers.c;
-            picked.copy = copy.c;
-            picked.role = role_c();
-        }
-    } else {
-        if turn == first {
-            picked.number = numbers.a1;
-            picked.copy = copy.a1;
-        }
-        if turn == first + 1u32 {
-            picked.number = numbers.a2;
-            picked.copy = copy.a2;
-            picked.role = role_a2();
-        }
-        if turn == first + 2u32 {
-            picked.number = numbers.preset;
-            picked.copy = copy.preset;
-        }
-    }
-    first + 3u32
+numbers! {
+    single: a 0u32, b 1u32, c 2u32 role_c;
+    double: a1 0u32, a2 1u32 role_a2, preset 2u32;
+    turns: 3u32, 3u32
 }

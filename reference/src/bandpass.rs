@@ -13,7 +13,6 @@ use portable::{Real, copy, portable};
 /// b2 is stored instead of b0 because `s2` uses its product directly; b0 would need an extra negation.
 /// Double precision uses b2, a1 and a2; single precision uses a, b and c.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y
     pub b2: R,
@@ -90,48 +89,8 @@ pub fn preset_biquad<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) {
     state.s2 = s;
 }
 
-/// Copies the numbers of another section.
-#[portable]
-pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
-    if is_driven_by_change::<R>() {
-        copy!(coeffs = offered: a, b, c);
-    } else {
-        copy!(coeffs = offered: b2, a1, a2);
-    }
-}
-
-/// Picks the number whose turn it is, its copy, and what it is; turns are numbered from `first`. Returns the turn after the last
-/// one.
-#[portable]
-pub fn pick<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32, numbers: &Coeffs<R>, copy: &Coeffs<R>) -> u32 {
-    if is_driven_by_change::<R>() {
-        if turn == first {
-            picked.number = numbers.a;
-            picked.copy = copy.a;
-        }
-        if turn == first + 1u32 {
-            picked.number = numbers.b;
-            picked.copy = copy.b;
-        }
-        if turn == first + 2u32 {
-            picked.number = numbers.c;
-            picked.copy = copy.c;
-            picked.role = role_c();
-        }
-    } else {
-        if turn == first {
-            picked.number = numbers.b2;
-            picked.copy = copy.b2;
-        }
-        if turn == first + 1u32 {
-            picked.number = numbers.a1;
-            picked.copy = copy.a1;
-        }
-        if turn == first + 2u32 {
-            picked.number = numbers.a2;
-            picked.copy = copy.a2;
-            picked.role = role_a2();
-        }
-    }
-    first + 3u32
+numbers! {
+    single: a 0u32, b 1u32, c 2u32 role_c;
+    double: b2 0u32, a1 1u32, a2 2u32 role_a2;
+    turns: 3u32, 3u32
 }

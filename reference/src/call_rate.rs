@@ -16,7 +16,6 @@ use portable::{note, portable};
 
 /// Coefficients.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs {
     /// whether calls are counted (key cycle_counter)
     pub active: bool,
@@ -24,7 +23,6 @@ pub struct Coeffs {
 
 /// State.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct State {
     /// expected cycle counter of the next call; 0: any
     pub expected: u32,

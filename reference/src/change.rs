@@ -5,7 +5,6 @@ use portable::{Real, portable};
 
 /// State.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// the value of the previous cycle
     pub before: R,

@@ -16,7 +16,6 @@ pub const LONGEST: usize = 6;
 
 /// Coefficients: the delay is (whole + before) cycles.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// N: whole cycles
     pub whole: usize,
@@ -30,7 +29,6 @@ pub struct Coeffs<R> {
 
 /// State.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// the samples of the previous cycles, the latest first
     pub x: [R; LONGEST],
@@ -40,7 +38,6 @@ pub struct State<R> {
 
 /// Result of a delay.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct Delayed<R> {
     /// the delayed sample
     pub y: R,

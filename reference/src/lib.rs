@@ -16,6 +16,42 @@ macro_rules! constants {
     )+};
 }
 
+/// The numbers of a section in single and in double precision, in the order of their turns, each with its turn and, if it completes
+/// the section, with what it is: `take` and `pick`.
+macro_rules! numbers {
+    (single: $($s:ident $st:tt $($s_role:ident)?),+; double: $($d:ident $dt:tt $($d_role:ident)?),+; turns: $ss:tt, $ds:tt) => {
+        /// Copies the numbers of another section.
+        #[portable]
+        pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
+            if is_driven_by_change::<R>() {
+                copy!(coeffs = offered: $($s),+);
+            } else {
+                copy!(coeffs = offered: $($d),+);
+            }
+        }
+
+        /// Picks the number whose turn it is, its copy, and what it is; turns are numbered from `first`. Returns the turn after the
+        /// last one.
+        #[portable]
+        pub fn pick<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32, numbers: &Coeffs<R>, copy: &Coeffs<R>) -> u32 {
+            if is_driven_by_change::<R>() {
+                $(if turn == first + $st {
+                    picked.number = numbers.$s;
+                    picked.copy = copy.$s;
+                    $(picked.role = $s_role();)?
+                })+
+            } else {
+                $(if turn == first + $dt {
+                    picked.number = numbers.$d;
+                    picked.copy = copy.$d;
+                    $(picked.role = $d_role();)?
+                })+
+            }
+            if is_driven_by_change::<R>() { first + $ss } else { first + $ds }
+        }
+    };
+}
+
 /// The part of `impl Block<R>` that every block has: the types, `init` and `step` of its own module.
 macro_rules! types_init_and_step {
     ($real:ident, $state:ty) => {

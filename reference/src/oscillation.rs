@@ -29,7 +29,6 @@ use portable::{Real, copy, portable};
 ///
 /// Single precision uses h, r, g and g2, double precision the others.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// numerator: y = b0 x + s1
     pub b0: R,
@@ -95,68 +94,8 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     x
 }
 
-/// Copies the numbers of another section.
-#[portable]
-pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
-    if is_driven_by_change::<R>() {
-        copy!(coeffs = offered: h, r, g, g2);
-    } else {
-        copy!(coeffs = offered: b0, b1, b2, a1, a2, preset_s1, preset_s2);
-    }
-}
-
-/// Picks the number whose turn it is, its copy, and what it is; turns are numbered from `first`. Returns the turn after the last
-/// one.
-#[portable]
-pub fn pick<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32, numbers: &Coeffs<R>, copy: &Coeffs<R>) -> u32 {
-    if is_driven_by_change::<R>() {
-        if turn == first {
-            picked.number = numbers.h;
-            picked.copy = copy.h;
-        }
-        if turn == first + 1u32 {
-            picked.number = numbers.r;
-            picked.copy = copy.r;
-        }
-        if turn == first + 2u32 {
-            picked.number = numbers.g;
-            picked.copy = copy.g;
-        }
-        if turn == first + 3u32 {
-            picked.number = numbers.g2;
-            picked.copy = copy.g2;
-            picked.role = role_g2();
-        }
-    } else {
-        if turn == first {
-            picked.number = numbers.b0;
-            picked.copy = copy.b0;
-        }
-        if turn == first + 1u32 {
-            picked.number = numbers.b1;
-            picked.copy = copy.b1;
-        }
-        if turn == first + 2u32 {
-            picked.number = numbers.b2;
-            picked.copy = copy.b2;
-        }
-        if turn == first + 3u32 {
-            picked.number = numbers.a1;
-            picked.copy = copy.a1;
-        }
-        if turn == first + 4u32 {
-            picked.number = numbers.a2;
-            picked.copy = copy.a2;
-            picked.role = role_a2();
-        }
-        if turn == first + 5u32 {
-            picked.number = numbers.preset_s1;
-            picked.copy = copy.preset_s1;
-        }
-        if turn == first + 6u32 {
-            picked.number = numbers.preset_s2;
-            picked.copy = copy.preset_s2;
-        }
-    }
-    if is_driven_by_change::<R>() { first + 4u32 } else { first + 7u32 }
+numbers! {
+    single: h 0u32, r 1u32, g 2u32, g2 3u32 role_g2;
+    double: b0 0u32, b1 1u32, b2 2u32, a1 3u32, a2 4u32 role_a2, preset_s1 5u32, preset_s2 6u32;
+    turns: 4u32, 7u32
 }

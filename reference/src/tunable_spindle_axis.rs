@@ -21,7 +21,6 @@ spindle_axis::outputs! {
 
 /// Coefficients.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// which sets fit
     pub sets: sets::Coeffs<R>,
@@ -31,7 +30,6 @@ pub struct Coeffs<R> {
 
 /// State.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// the set in use, and the one that is offered
     pub own: sets::State<R>,

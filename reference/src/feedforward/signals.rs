@@ -4,7 +4,6 @@ use portable::portable;
 
 /// Inputs. Translatory axes in um, rotary axes and spindles in 0.001 deg.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct Inputs<R> {
     /// velocity of the interpolator [um/s or 0.001 deg/s]
     pub v_interpolator: R,
@@ -29,7 +28,6 @@ pub struct Inputs<R> {
 
 /// Outputs.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct Outputs<R> {
     /// conventional feedforward, to be added to the position controller's output [um/s or 0.001 deg/s]
     pub v_feedforward: R,

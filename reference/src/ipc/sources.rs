@@ -9,7 +9,6 @@ use portable::{Real, in_range, portable};
 
 /// State: the velocities of the previous cycle.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// the command velocity
     pub v_command: change::State<R>,
@@ -21,7 +20,6 @@ pub struct State<R> {
 
 /// The changes.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct Changes<R> {
     /// of the command velocity
     pub v_command: R,

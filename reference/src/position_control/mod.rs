@@ -42,7 +42,6 @@ pub enum Location {
 
 /// Coefficients.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// cycle time that all coefficients were designed for [ns]
     pub cycle_time_ns: u32,
@@ -80,7 +79,6 @@ pub struct Coeffs<R> {
 
 /// State.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// TRUE after the delay of the position command has been filled
     pub preset: bool,

@@ -9,7 +9,6 @@ use portable::portable;
 
 /// The prototypes of the filters of a stage.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct Prototypes {
     /// low-pass prototype of each band-pass (P-AXIS-00848)
     pub filter: [Prototype; FILTERS],
@@ -17,7 +16,6 @@ pub struct Prototypes {
 
 /// Coefficients.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// lowest centre frequency [Hz]: the fade and the watch of the block that takes the set count in its periods
     pub lowest_f0: R,

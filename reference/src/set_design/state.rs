@@ -38,7 +38,6 @@ pub enum Piece {
 
 /// State.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// execute in the previous call
     pub held: bool,

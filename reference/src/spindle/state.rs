@@ -23,7 +23,6 @@ pub enum SpindleState {
 
 /// Coefficients.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// cycle time that all coefficients were designed for [ns]
     pub cycle_time_ns: u32,
@@ -84,7 +83,6 @@ pub struct Coeffs<R> {
 
 /// State.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// state of the changeover
     pub control: SpindleState,
@@ -145,7 +143,6 @@ constants! {
 
 /// The actual velocity of a spindle that the block does not move yet.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct Seen<R> {
     /// consecutive cycles with a valid sample of v_actual, up to 3
     pub samples: u32,
@@ -161,7 +158,6 @@ pub struct Seen<R> {
 
 /// The results of checks in one cycle.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct Cycle<R> {
     /// the state with which the cycle begins
     pub control: SpindleState,

@@ -14,7 +14,6 @@ use portable::{Block, Enable, Off, Real, copy, note, portable, with_numbers};
 
 /// State.
 #[portable]
-#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// the set in use, and the one that is offered
     pub own: sets::State<R>,
