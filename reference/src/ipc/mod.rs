@@ -19,6 +19,7 @@ pub mod tuning;
 pub mod watch;
 
 pub use signals::{Inputs, Outputs, STAGES};
+pub(crate) use signals::{inputs, outputs};
 pub use signals::{mode_dryrun, mode_off, mode_on};
 
 pub use sources::simulates;

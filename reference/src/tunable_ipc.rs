@@ -1,16 +1,23 @@
 //! Improved position control whose numbers come from parameter sets: the block `ipc` of an axis with `tunable = "all"`. The cycle is
 //! that of [`crate::ipc`]; [`crate::sets`] says which set is in use.
 
-mod signals;
-
 pub use crate::sets::Coeffs;
-pub use signals::{Inputs, Outputs};
 
 use crate::call_rate;
 use crate::ipc;
 use crate::sets;
 use crate::signal::error_none;
 use portable::{Block, Enable, Off, Real, copy, note, portable, with_numbers};
+
+ipc::inputs! { []
+    /// the parameter set
+    pub params: Params<R>,
+}
+
+ipc::outputs! { "the sum of the stages is above the limit of the parameter set in this cycle"
+    /// number of the parameter set in use; 0: none
+    pub active_set: u32,
+}
 
 /// State.
 #[portable]
