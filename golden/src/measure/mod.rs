@@ -56,7 +56,7 @@ impl Excitation {
 }
 
 /// The results of a recording.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Measured {
     /// all recorded channels, as sampled
     pub channels: Vec<Channel>,
@@ -77,19 +77,6 @@ impl Measured {
     pub fn refuses(&self) -> bool {
         self.verdicts.iter().any(|verdict| verdict.refuses)
     }
-
-    fn of(channels: Vec<Channel>) -> Self {
-        Self {
-            channels,
-            record: None,
-            segments: Vec::new(),
-            windows: Windows::default(),
-            offsets: Vec::new(),
-            vibrations: Vec::new(),
-            excited: None,
-            verdicts: Vec::new(),
-        }
-    }
 }
 
 /// Measures channels. A cycle time [s] is the interval if the file does not state one; `other` is the result of an excited
@@ -104,7 +91,7 @@ pub fn measure(
     for timing in channels.iter_mut().map(|channel| &mut channel.timing) {
         timing.interval = timing.interval.or(cycle_time);
     }
-    let mut measured = Measured::of(channels);
+    let mut measured = Measured { channels, ..Measured::default() };
     let verdicts = &mut measured.verdicts;
     if !is_sampled(&measured.channels, verdicts) {
         return measured;

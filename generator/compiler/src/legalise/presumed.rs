@@ -75,7 +75,7 @@ fn presumed(statement: &Statement, done: &mut [bool]) -> Vec<Statement> {
 }
 
 /// Whether no statement can change the value after it was computed.
-fn is_fixed(value: &Expr) -> bool {
+pub(super) fn is_fixed(value: &Expr) -> bool {
     matches!(value, Expr::Literal(_) | Expr::Var(Var::Constant(_) | Var::Local(_) | Var::Input(_)))
 }
 

@@ -6,6 +6,7 @@
 //! if a { limited := true }                 ->
 //! ```
 
+use super::presumed::is_fixed;
 use crate::pass::Defect;
 use crate::program::{Expr, Local, Program, Statement, Var, rename};
 use portable::Binary;
@@ -139,11 +140,6 @@ fn read_instead(statement: &mut Statement, output: Var, local: Var) {
 /// Whether a statement reads the output before it writes anything.
 fn asks(statement: &Statement, output: Var) -> bool {
     statement.expr().is_some_and(|expr| expr.mentions(output))
-}
-
-/// Whether no statement can change the value.
-fn is_fixed(value: &Expr) -> bool {
-    matches!(value, Expr::Literal(_) | Expr::Var(Var::Constant(_) | Var::Local(_) | Var::Input(_)))
 }
 
 fn reads(statement: &Statement, output: Var) -> bool {
