@@ -13,6 +13,7 @@ use portable::{Real, copy, portable};
 ///
 /// Double precision uses a1, a2 and preset; single precision uses a, b and c.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// numerator and denominator: s1 = a1 x - a1 y + s2
     pub a1: R,

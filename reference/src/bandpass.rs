@@ -13,6 +13,7 @@ use portable::{Real, copy, portable};
 /// b2 is stored instead of b0 because `s2` uses its product directly; b0 would need an extra negation.
 /// Double precision uses b2, a1 and a2; single precision uses a, b and c.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y
     pub b2: R,

@@ -16,6 +16,7 @@ use portable::{note, portable};
 
 /// Coefficients.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs {
     /// whether calls are counted (key cycle_counter)
     pub active: bool,
@@ -23,6 +24,7 @@ pub struct Coeffs {
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State {
     /// expected cycle counter of the next call; 0: any
     pub expected: u32,

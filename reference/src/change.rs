@@ -5,6 +5,7 @@ use portable::{Real, portable};
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// the value of the previous cycle
     pub before: R,

@@ -20,6 +20,7 @@ use portable::{Real, from_i32, in_range, note, portable, truncate, unsigned};
 
 /// A check word that is being formed, a piece at a time.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Forming<R> {
     /// check word: the pieces as a polynomial at 31337, modulo 46337
     pub first: i32,

@@ -16,6 +16,7 @@ pub const LONGEST: usize = 6;
 
 /// Coefficients: the delay is (whole + before) cycles.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// N: whole cycles
     pub whole: usize,
@@ -29,6 +30,7 @@ pub struct Coeffs<R> {
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// the samples of the previous cycles, the latest first
     pub x: [R; LONGEST],
@@ -38,6 +40,7 @@ pub struct State<R> {
 
 /// Result of a delay.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Delayed<R> {
     /// the delayed sample
     pub y: R,

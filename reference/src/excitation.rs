@@ -19,6 +19,7 @@ use portable::{Block, Enable, Off, Real, from_u32, in_range, note, portable};
 
 /// Coefficients.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// cycle time that all coefficients were designed for [ns]
     pub cycle_time_ns: u32,
@@ -44,6 +45,7 @@ pub struct Coeffs<R> {
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State {
     /// hold_to_run of the previous cycle; TRUE before the first one, so that a button that is held then starts nothing
     pub held: bool,
@@ -73,6 +75,7 @@ pub struct State {
 
 /// Inputs. Translatory axes in um, rotary axes and spindles in 0.001 deg.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Inputs<R> {
     /// actual velocity of the motor: it must keep its sign [um/s or 0.001 deg/s]
     pub v_motor: R,
@@ -87,6 +90,7 @@ pub struct Inputs<R> {
 
 /// Outputs.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Outputs<R> {
     /// what is added to the commanded velocity: v_command + v_add + v_excite [um/s or 0.001 deg/s]
     pub v_excite: R,

@@ -22,6 +22,7 @@ pub enum Type {
 
 /// Coefficients. Only those that `kind` and `order` name are used.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// what the filter is
     pub kind: Type,
@@ -35,6 +36,7 @@ pub struct Coeffs<R> {
 
 /// The numbers of a filter that a parameter set may change. Every other coefficient is structure.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Numbers<R> {
     /// the band-pass sections, in the order of their execution
     pub bandpass: [bandpass::Coeffs<R>; MAX_ORDER],
@@ -44,6 +46,7 @@ pub struct Numbers<R> {
 
 /// State: one section for an all-pass, `order` sections for a band-pass.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// the sections
     pub section: [section::State<R>; MAX_ORDER],

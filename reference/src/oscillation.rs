@@ -29,6 +29,7 @@ use portable::{Real, copy, portable};
 ///
 /// Single precision uses h, r, g and g2, double precision the others.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// numerator: y = b0 x + s1
     pub b0: R,

@@ -4,6 +4,7 @@ use portable::{Real, nearest, note, portable, within};
 
 /// The range of a process-data type.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// smallest value of the process data
     pub lowest: i32,
@@ -17,6 +18,7 @@ pub struct Coeffs<R> {
 
 /// A rounded number.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Datum {
     /// the integer
     pub value: i32,

@@ -6,6 +6,7 @@ use portable::{Real, in_range, portable};
 
 /// State of a second-order section: s1 and s2 of a biquad; in single precision s1 and p, or s1 and low.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// filter state s1: part of the next output
     pub s1: R,

@@ -35,6 +35,7 @@ pub enum DirectSource {
 
 /// Coefficients.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// where the vibration comes from
     pub mode: Mode,
@@ -50,6 +51,7 @@ pub struct Coeffs<R> {
 
 /// The numbers of a stage that a parameter set may change. Every other coefficient is structure.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Numbers<R> {
     /// the simulated oscillation of INDIRECT and SET_POINT
     pub oscillation: oscillation::Coeffs<R>,
@@ -61,6 +63,7 @@ pub struct Numbers<R> {
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// the simulated oscillation
     pub oscillation: section::State<R>,

@@ -20,6 +20,7 @@ axis::outputs! {
 
 /// Coefficients.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// which sets fit
     pub sets: sets::Coeffs<R>,
@@ -29,6 +30,7 @@ pub struct Coeffs<R> {
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// the set in use, and the one that is offered
     pub own: sets::State<R>,

@@ -21,6 +21,7 @@ ipc::outputs! { "the sum of the stages is above the limit of the parameter set i
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// the set in use, and the one that is offered
     pub own: sets::State<R>,

@@ -21,6 +21,7 @@ spindle_axis::outputs! {
 
 /// Coefficients.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// which sets fit
     pub sets: sets::Coeffs<R>,
@@ -30,6 +31,7 @@ pub struct Coeffs<R> {
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// the set in use, and the one that is offered
     pub own: sets::State<R>,

@@ -25,6 +25,7 @@ constants! {
 
 /// The number whose turn it is.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Picked<R> {
     /// the number whose turn it is
     pub number: R,

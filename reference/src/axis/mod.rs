@@ -41,6 +41,7 @@ pub enum Addition {
 
 /// Coefficients.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// cycle time that all coefficients were designed for [ns]
     pub cycle_time_ns: u32,
@@ -70,6 +71,7 @@ pub struct Coeffs<R> {
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// feedforward
     pub feedforward: feedforward::State<R>,

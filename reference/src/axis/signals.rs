@@ -9,6 +9,7 @@ macro_rules! inputs {
         /// Inputs. Translatory axes in um, rotary axes and spindles in 0.001 deg. Inputs that the axis does not use are not
         /// read.
         #[portable]
+        #[derive(Clone, Copy, Debug, Default)]
         pub struct Inputs<R> {
             /// command position of the interpolator, on the turn of the actual position [um or 0.001 deg]
             pub x_command: R,
@@ -68,6 +69,7 @@ macro_rules! outputs {
     ($($more:tt)*) => {
         /// Outputs. An output that the axis does not have is 0.
         #[portable]
+        #[derive(Clone, Copy, Debug, Default)]
         pub struct Outputs<R> {
             /// output of the position controller, with feedforward if the axis has one, before v_add is added; for
             /// monitoring, the outputs to the drive contain v_add [um/s or 0.001 deg/s]

@@ -64,6 +64,7 @@ pub fn quality<R: Real>(band: &Band<R>) -> R {
 /// The sections are g = Omega0 / W and g = Omega0 W, with k = 1 / Qs and the same c. This form is free of the cancellation in
 /// W + 1/W = sqrt((4 + e + G) / 2): m = (W - 1/W)^2 / 4 is small in a narrow band.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Pair<R> {
     /// sigma of the pair
     pub sigma: R,

@@ -5,6 +5,7 @@ use portable::{Real, in_range, portable};
 
 /// What a filter is designed from.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct FilterInputs<R> {
     /// centre frequency [Hz]: 0 < f0 <= 500, f0 Ts <= 0.45 (P-AXIS-00751)
     pub f0: R,
@@ -14,6 +15,7 @@ pub struct FilterInputs<R> {
 
 /// What a stage is designed from. Only the filters that exist, and the damping of INDIRECT and SET_POINT, are used.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Inputs<R> {
     /// the filters, in the order of their execution
     pub filter: [FilterInputs<R>; FILTERS],

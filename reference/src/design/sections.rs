@@ -9,6 +9,7 @@ use portable::{Real, copy, portable};
 
 /// A section before the transform s = (1 - z^-1) / (1 + z^-1).
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Shape<R> {
     /// centre on the warped frequency axis: tan(pi f Ts)
     pub g: R,
@@ -20,6 +21,7 @@ pub struct Shape<R> {
 
 /// The sections of a filter, in the order of their execution. An all-pass has one, a band-pass one for each order.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Shapes<R> {
     /// the sections
     pub section: [Shape<R>; MAX_ORDER],
@@ -27,6 +29,7 @@ pub struct Shapes<R> {
 
 /// A denominator 1 + a1 z^-1 + a2 z^-2, with the signs of `y = x - a1 y' - a2 y''`.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Denominator<R> {
     /// 2 (g^2 - 1) / d
     pub a1: R,
@@ -38,6 +41,7 @@ pub struct Denominator<R> {
 
 /// A band-pass part c k g s / (s^2 + k g s + g^2) by the trapezoidal rule.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Trapezoidal<R> {
     /// A = c k g / d
     pub a: R,

@@ -6,6 +6,7 @@ use portable::{Real, portable};
 
 /// A number as square * factor^2.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Scaled<R> {
     /// what is left of the number
     pub square: R,

@@ -23,6 +23,7 @@ use portable::{Block, Enable, Off, Real, from_i32, in_range, portable};
 
 /// The quantities of a sum.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Quantities {
     /// velocity
     pub velocity: bool,
@@ -34,6 +35,7 @@ pub struct Quantities {
 
 /// Coefficients.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// cycle time that all coefficients were designed for [ns]
     pub cycle_time_ns: u32,
@@ -77,6 +79,7 @@ pub struct Coeffs<R> {
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// TRUE after the delays have been filled
     pub preset: bool,

@@ -4,6 +4,7 @@ use portable::portable;
 
 /// Inputs. Translatory axes in um, rotary axes and spindles in 0.001 deg.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Inputs<R> {
     /// velocity of the interpolator [um/s or 0.001 deg/s]
     pub v_interpolator: R,
@@ -28,6 +29,7 @@ pub struct Inputs<R> {
 
 /// Outputs.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Outputs<R> {
     /// conventional feedforward, to be added to the position controller's output [um/s or 0.001 deg/s]
     pub v_feedforward: R,

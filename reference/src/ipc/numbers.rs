@@ -8,6 +8,7 @@ use portable::{Real, copy, portable};
 
 /// The numbers of the set in use.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Numbers<R> {
     /// largest |v_add| [um/s or 0.001 deg/s]
     pub limit: R,
@@ -23,6 +24,7 @@ pub struct Numbers<R> {
 
 /// A parameter set: every number of a structure, and the check word over them, which is the number of the set.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Params<R> {
     /// id of the block structure that the set fits: axis, stages, modes, filters, real type, cycle time, fade, ride_through,
     /// watch, cycle_counter

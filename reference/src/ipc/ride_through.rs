@@ -7,6 +7,7 @@ use portable::{Real, copy, in_range, portable};
 
 /// Coefficients.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs {
     /// whether the last good sample replaces bad samples (key ride_through)
     pub active: bool,
@@ -16,6 +17,7 @@ pub struct Coeffs {
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State {
     /// consecutive cycles in which a sample was bad
     pub bad: u32,

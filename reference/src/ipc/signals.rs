@@ -10,6 +10,7 @@ macro_rules! inputs {
     ([$($tuning:tt)*] $($more:tt)*) => {
         /// Inputs. Velocities are in um/s for a translatory axis, in 0.001 deg/s for a rotary axis or a spindle.
         #[portable]
+        #[derive(Clone, Copy, Debug, Default)]
         pub struct Inputs<R> {
             /// output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]; input of SET_POINT
             /// (P-AXIS-00753)
@@ -53,6 +54,7 @@ macro_rules! outputs {
     ($limited:tt $($more:tt)*) => {
         /// Outputs.
         #[portable]
+        #[derive(Clone, Copy, Debug, Default)]
         pub struct Outputs<R> {
             /// additive velocity of improved position control, to be added to the manipulated variable [um/s or 0.001 deg/s]
             pub v_add: R,

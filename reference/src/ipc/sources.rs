@@ -9,6 +9,7 @@ use portable::{Real, in_range, portable};
 
 /// State: the velocities of the previous cycle.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// the command velocity
     pub v_command: change::State<R>,
@@ -20,6 +21,7 @@ pub struct State<R> {
 
 /// The changes.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Changes<R> {
     /// of the command velocity
     pub v_command: R,

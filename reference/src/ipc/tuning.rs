@@ -11,6 +11,7 @@ pub const INPUTS: &[&str] = &["tuning_weight", "tuning_limit"];
 
 /// Coefficients.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// whether weights and limit are inputs (key tunable)
     pub active: bool,
@@ -22,6 +23,7 @@ pub struct Coeffs<R> {
 
 /// A factor that follows an input.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Factor<R> {
     /// value of the factor in this cycle, 0 to 1
     pub now: R,
@@ -29,6 +31,7 @@ pub struct Factor<R> {
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// of each stage's weight
     pub weight: [Factor<R>; STAGES],

@@ -18,6 +18,7 @@ use portable::{Real, note, portable};
 
 /// Coefficients.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// whether the watch is active (key watch)
     pub active: bool,
@@ -32,6 +33,7 @@ pub struct Coeffs<R> {
 
 /// The number that a parameter set may change.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Numbers<R> {
     /// smallest span from which growth counts: limit / 50, so that the start of a move does not count as growth
     /// [um/s or 0.001 deg/s]
@@ -40,6 +42,7 @@ pub struct Numbers<R> {
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// TRUE after the loop was found unstable, until the mode is not ON or reset is TRUE
     pub tripped: bool,

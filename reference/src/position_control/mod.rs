@@ -42,6 +42,7 @@ pub enum Location {
 
 /// Coefficients.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// cycle time that all coefficients were designed for [ns]
     pub cycle_time_ns: u32,
@@ -79,6 +80,7 @@ pub struct Coeffs<R> {
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// TRUE after the delay of the position command has been filled
     pub preset: bool,

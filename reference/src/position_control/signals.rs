@@ -4,6 +4,7 @@ use portable::portable;
 
 /// Inputs. Translatory axes in um, rotary axes and spindles in 0.001 deg.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Inputs<R> {
     /// command position of the interpolator, on the same turn as x_actual [um or 0.001 deg]
     pub x_command: R,
@@ -35,6 +36,7 @@ pub struct Inputs<R> {
 
 /// Outputs. An output that the axis does not have is 0.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Outputs<R> {
     /// output of the position controller with feedforward, before v_add is added: v_command of improved position control [um/s
     /// or 0.001 deg/s]

@@ -9,6 +9,7 @@ use portable::portable;
 
 /// The prototypes of the filters of a stage.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Prototypes {
     /// low-pass prototype of each band-pass (P-AXIS-00848)
     pub filter: [Prototype; FILTERS],
@@ -16,6 +17,7 @@ pub struct Prototypes {
 
 /// Coefficients.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// lowest centre frequency [Hz]: the fade and the watch of the block that takes the set count in its periods
     pub lowest_f0: R,

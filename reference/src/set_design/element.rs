@@ -12,6 +12,7 @@ use portable::{Real, copy, portable};
 
 /// An element: its place, its inputs as they were read, and its structure.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Element<R> {
     /// number of its stage
     pub stage: u32,

@@ -7,6 +7,7 @@ use portable::portable;
 
 /// Inputs. Velocities are in um/s for a translatory axis, in 0.001 deg/s for a rotary axis or a spindle.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Inputs<R> {
     /// the rising edge starts a design, also while one is active; the other inputs must not change until active is FALSE
     pub execute: bool,
@@ -18,6 +19,7 @@ pub struct Inputs<R> {
 
 /// Outputs.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Outputs<R> {
     /// TRUE while a set is designed: call the block again
     pub active: bool,

@@ -38,6 +38,7 @@ pub enum Piece {
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// execute in the previous call
     pub held: bool,

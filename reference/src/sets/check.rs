@@ -15,6 +15,7 @@ use portable::{Real, in_range, portable};
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// number of the set that is checked; 0: none
     pub set_id: u32,

@@ -30,6 +30,7 @@ use portable::{Real, in_range, note, portable};
 
 /// Coefficients.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// id of the block structure: a parameter set for another structure is refused
     pub structure: u32,
@@ -45,6 +46,7 @@ pub struct Coeffs<R> {
 
 /// State, without that of improved position control.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// number of the set in use; 0: none
     pub set_id: u32,

@@ -21,6 +21,7 @@ pub enum Job {
 
 /// A job with its data.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Request<R> {
     /// kind of the request or job
     pub kind: Job,
@@ -32,6 +33,7 @@ pub struct Request<R> {
 
 /// The request inputs that were TRUE in the last cycle.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Before {
     /// request m3 of the previous cycle
     pub m3: bool,

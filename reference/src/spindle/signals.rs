@@ -6,6 +6,7 @@ use portable::portable;
 
 /// Inputs.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Inputs<R> {
     /// command position of the interpolator [0.001 deg]
     pub x_command: R,
@@ -52,6 +53,7 @@ pub struct Inputs<R> {
 
 /// Outputs.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Outputs<R> {
     /// command position of the spindle, 0 <= x_spindle < 360 000 [0.001 deg]
     pub x_spindle: R,

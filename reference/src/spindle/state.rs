@@ -23,6 +23,7 @@ pub enum SpindleState {
 
 /// Coefficients.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// cycle time that all coefficients were designed for [ns]
     pub cycle_time_ns: u32,
@@ -83,6 +84,7 @@ pub struct Coeffs<R> {
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// state of the changeover
     pub control: SpindleState,
@@ -143,6 +145,7 @@ constants! {
 
 /// The actual velocity of a spindle that the block does not move yet.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Seen<R> {
     /// consecutive cycles with a valid sample of v_actual, up to 3
     pub samples: u32,
@@ -158,6 +161,7 @@ pub struct Seen<R> {
 
 /// The results of checks in one cycle.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Cycle<R> {
     /// the state with which the cycle begins
     pub control: SpindleState,

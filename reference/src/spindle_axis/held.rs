@@ -10,6 +10,7 @@ use portable::{Real, copy, in_range, note, portable};
 
 /// The velocity for the drive, without v_add.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Command<R> {
     /// position control in the CNC: velocity of the drive's last command, without v_add; held while a sample is missing
     /// [0.001 deg/s]

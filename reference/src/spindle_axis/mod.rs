@@ -27,6 +27,7 @@ use portable::{Block, Enable, Real, copy, from_u32, in_range, note, portable, wi
 
 /// Coefficients.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
     /// changeover
     pub spindle: spindle::Coeffs<R>,
@@ -36,6 +37,7 @@ pub struct Coeffs<R> {
 
 /// State.
 #[portable]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
     /// changeover
     pub spindle: spindle::State<R>,

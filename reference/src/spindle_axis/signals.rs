@@ -9,6 +9,7 @@ macro_rules! inputs {
     ($($more:tt)*) => {
         /// Inputs. Inputs that the spindle does not use are not read.
         #[portable]
+        #[derive(Clone, Copy, Debug, Default)]
         pub struct Inputs<R> {
             /// command position of the interpolator [0.001 deg]
             pub x_command: R,
@@ -82,6 +83,7 @@ macro_rules! outputs {
     ($($more:tt)*) => {
         /// Outputs. An output that the spindle does not have is 0.
         #[portable]
+        #[derive(Clone, Copy, Debug, Default)]
         pub struct Outputs<R> {
             /// command position of the spindle, 0 <= x_spindle < 360 000 [0.001 deg]
             pub x_spindle: R,

@@ -6,13 +6,6 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Item;
 
-/// What every struct of a block derives, if it says nothing else.
-pub fn derived(item: &TokenStream) -> Option<TokenStream> {
-    let item: syn::ItemStruct = syn::parse2(item.clone()).ok()?;
-    let says = item.attrs.iter().any(|attribute| attribute.path().is_ident("derive"));
-    (!says).then(|| quote!(#[derive(Clone, Copy, Debug, Default)]))
-}
-
 /// Describes a struct.
 pub fn describe_struct(item: &syn::ItemStruct, rejections: &mut Rejections) -> TokenStream {
     name::check(&item.ident, rejections);

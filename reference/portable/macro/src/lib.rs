@@ -34,10 +34,9 @@ use reject::Rejections;
 #[proc_macro_attribute]
 pub fn portable(attribute: TokenStream, item: TokenStream) -> TokenStream {
     let original = proc_macro2::TokenStream::from(item.clone());
-    let derived = item::derived(&original);
     let (description, rejections) = describe(attribute.into(), item.into());
     let errors = rejections.into_compile_errors();
-    quote!(#derived #original #description #errors).into()
+    quote!(#original #description #errors).into()
 }
 
 /// The description of an item, and what is rejected of it.
