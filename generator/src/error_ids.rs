@@ -4,7 +4,6 @@
 use portable::{Expr, Fn, Literal};
 use reference::signal;
 
-/// An id.
 #[derive(Clone, Copy, Debug)]
 pub struct ErrorId {
     pub id: u32,

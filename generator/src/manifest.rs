@@ -43,7 +43,6 @@ pub fn set_name(set: &Path) -> String {
     Place::whole(set.file_name().unwrap_or(set.as_os_str()).to_string_lossy()).file
 }
 
-/// The manifest as text.
 pub fn text(manifest: &Manifest) -> String {
     manifest.iter().fold(HEAD.to_owned(), |mut text, Entry { file, target, axis, set }| {
         let _ = writeln!(text, "{file} {target} {} {set}", axis.as_deref().unwrap_or(SHARED));

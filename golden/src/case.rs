@@ -44,15 +44,11 @@ const EMITTED: &str = "emitted";
 /// A case as read from its folder.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// its folder
     pub folder: PathBuf,
-    /// its purpose
     pub purpose: String,
     /// constructs and events that the axis or the recorded samples must contain, in the words of [`shown`]
     pub shows: Vec<String>,
-    /// the axis
     pub axis: Designed,
-    /// the block
     pub block: Block,
     /// the source of its inputs
     pub source: Source,

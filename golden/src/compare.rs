@@ -12,12 +12,10 @@ pub struct Difference {
     pub first: Option<FirstDifference>,
 }
 
-/// The first difference.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FirstDifference {
     /// the sample, counted from 0
     pub sample: usize,
-    /// the signal
     pub signal: String,
     /// its value in the correct run
     pub expected: Literal,

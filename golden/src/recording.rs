@@ -13,7 +13,6 @@ use portable::{Extreme, Literal};
 /// The inputs of the block, and its recorded outputs.
 #[derive(Clone, Debug)]
 pub struct Recording {
-    /// all inputs
     pub inputs: Samples,
     /// the positions of the inputs with a column
     pub given: Vec<usize>,

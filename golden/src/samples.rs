@@ -9,16 +9,12 @@ use std::ops::Range;
 pub struct Shape {
     /// the real type
     pub real: RealKind,
-    /// the signals
     pub signals: Vec<Signal>,
 }
 
-/// One signal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Signal {
-    /// its name
     pub name: String,
-    /// its type
     pub ty: Type,
     /// its value until it is written
     pub start: Literal,

@@ -26,7 +26,6 @@ pub struct Stimulus {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Component {
-    /// its form
     pub form: Form,
     /// its size, in the unit of the signal
     pub amplitude: f64,
@@ -54,7 +53,6 @@ pub struct Window {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Event {
-    /// the signal
     pub signal: String,
     /// the value as a cell of a CSV file; a case file may also contain a number, `true` or `nan`, `inf`, `-inf`. An integer
     /// without sign may count the samples: `counts*2/3+4` is twice the number of the sample, divided by 3, plus 4

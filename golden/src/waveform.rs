@@ -8,7 +8,6 @@ use serde::Deserialize;
 pub enum Form {
     /// 1; a step if limited by a window
     Constant,
-    /// a sine
     Sine {
         /// cycles of the block in one period
         period: f64,

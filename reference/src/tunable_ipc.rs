@@ -5,6 +5,7 @@ pub use crate::sets::Coeffs;
 
 use crate::call_rate;
 use crate::ipc;
+use crate::ipc::numbers::Params;
 use crate::sets;
 use crate::signal::error_none;
 use portable::{Block, Enable, Off, Real, copy, note, portable, with_numbers};

@@ -102,7 +102,6 @@ pub trait Design: Reference<f64> + Reference<f32> + Reference<Wide> + Sync + 'st
     /// Its coefficients, in double precision.
     fn design(designed: &Designed) -> <Self as Reference<f64>>::Coeffs;
 
-    /// Its arithmetic.
     fn arithmetic(designed: &Designed) -> Arithmetic {
         match designed.axis.real {
             RealKind::F64 => Arithmetic::Double,

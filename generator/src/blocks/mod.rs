@@ -72,7 +72,6 @@ pub fn names(axis: &Axis) -> Vec<&'static str> {
     of_axis(axis).map(|kind| kind.name()).collect()
 }
 
-/// The block of that name.
 pub fn named(name: &str) -> Option<&'static dyn BlockKind> {
     BLOCKS.into_iter().find(|kind| kind.name() == name)
 }

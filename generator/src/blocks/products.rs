@@ -51,7 +51,6 @@ impl dyn BlockKind + '_ {
         self.typed(designed).run(designed)
     }
 
-    /// All its coefficients.
     pub fn coefficients(&self, designed: &Designed) -> Vec<Literal> {
         self.typed(designed).numbers(designed)
     }

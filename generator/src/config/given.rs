@@ -19,7 +19,6 @@ pub(crate) const ABOVE_STAGES: &str = "lr_param.improved_position_control.stage"
 /// Values that a list cannot contain, for a list without a set.
 #[derive(Clone, Debug, Default)]
 pub struct ListOptions {
-    /// `--cycle-time`
     pub cycle_time: Option<String>,
     /// `--name`; otherwise the axis has the file's name
     pub name: Option<String>,

@@ -84,7 +84,6 @@ impl Values {
         }
     }
 
-    /// A text and its setting.
     pub(crate) fn text(&self, name: Name) -> Option<(&str, &Setting)> {
         let setting = self.get(key(name))?;
         match &setting.value {

@@ -75,7 +75,6 @@ enum Works {
     Never,
     /// a part of the state
     State(usize),
-    /// an output
     Output(usize),
     /// two outputs, and the drive
     Brakes {

@@ -36,7 +36,6 @@ pub(crate) struct Period {
     pub(crate) disturbed: usize,
     /// the full noise, with disturbances
     pub(crate) disturbed_loud: usize,
-    /// rest
     pub(crate) rest: usize,
     /// the number of samples of a period
     pub(crate) samples: usize,

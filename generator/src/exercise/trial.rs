@@ -26,9 +26,7 @@ const BEGINNING: usize = 8;
 const QUIET_SAMPLES: usize = 24;
 /// Samples with the full noise.
 const LOUD_SAMPLES: usize = 8;
-/// Distance of turns.
 const TURN_DISTANCE: usize = 5;
-/// Length of a turn.
 const TURN_LENGTH: usize = 2;
 /// Distance of jumps of a real input: a block that has detected one restarts in the second sample and acts in the third.
 const JUMP_DISTANCE: usize = 3;

@@ -50,7 +50,6 @@ impl<'a, 'i> Elements<'a, 'i> {
         self.wrong(codes::RESPONSE_TABLE, node, found).allowed(WHAT)
     }
 
-    /// The one child with this name.
     pub(super) fn child(&self, of: Node<'a, 'i>, element: &str, name: &str) -> Result<Node<'a, 'i>, Report> {
         let mut found = named(of, element, name);
         match (found.next(), found.next()) {

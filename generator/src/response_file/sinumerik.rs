@@ -32,7 +32,6 @@ struct Signal<'a, 'i> {
     id: [&'a str; 2],
 }
 
-/// Whether a text is XML.
 pub(super) fn is_xml(text: &str) -> bool {
     text.trim_start().starts_with('<')
 }

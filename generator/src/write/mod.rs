@@ -105,7 +105,6 @@ enum Change {
     Write(Owner),
     /// it is the record of the folder itself, which is always replaced, and is not counted as a file
     Record,
-    /// it is removed
     Remove,
 }
 

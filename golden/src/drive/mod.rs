@@ -13,7 +13,6 @@ use machine::Machine;
 use machine::drive::{Drive, Setup};
 use response_filter::ResponseFilter;
 
-/// The drive of an axis.
 pub(crate) struct AxisDrive {
     /// the model, with the gain of the position controller
     pub model: DriveModel,

@@ -7,7 +7,6 @@ use std::process::Command;
 /// A C compiler with its options.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Compiler {
-    /// the command
     pub command: String,
     /// its options for the emitted file
     pub options: Vec<String>,

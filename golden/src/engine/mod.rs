@@ -142,7 +142,6 @@ fn answers(block: &Block, inputs: &Samples, mut cycle: impl FnMut(&[Literal], &m
     samples
 }
 
-/// The target of that name.
 fn target(name: &str) -> Target {
     target::named(name).expect("engine: there is such a target")
 }

@@ -5,7 +5,6 @@ use crate::samples::Samples;
 use compiler::interp::Machine;
 use generator::blocks::Block;
 
-/// Runs a block.
 pub fn run(block: &Block, inputs: &Samples) -> Samples {
     let mut machine = Machine::start(&block.program);
     answers(block, inputs, |values, outputs| machine.step(values, outputs))

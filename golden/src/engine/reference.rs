@@ -19,7 +19,6 @@ pub fn start(designed: &Designed, block: &Block) -> Cycle {
     Box::new(move |inputs, outputs| reference.step(inputs, outputs))
 }
 
-/// Runs a block.
 pub fn run(designed: &Designed, block: &Block, inputs: &Samples) -> Samples {
     answers(block, inputs, start(designed, block))
 }

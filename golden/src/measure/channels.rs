@@ -28,10 +28,8 @@ pub const SIGNALS: [(&str, Quantity); 11] = [
 const OTHERS: [&str; 8] =
     ["mode", "position_controlled", "reset", "task_cycle_ns", "limited", "fault", "error_id", "x_drive"];
 
-/// One channel.
 #[derive(Clone, Debug)]
 pub struct Channel {
-    /// its signal
     pub signal: &'static str,
     pub quantity: Quantity,
     /// `None` if it is unknown

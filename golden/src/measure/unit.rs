@@ -116,7 +116,6 @@ impl Unit {
         Some(Self { name, ..self })
     }
 
-    /// Of a velocity, by its peak.
     pub(super) fn of_velocity(peak: f64) -> Option<Self> {
         plausible(Quantity::Velocity, peak, PEAK_VELOCITY)
     }

@@ -43,7 +43,6 @@ pub enum When {
     Excited,
 }
 
-/// A vibration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vibration {
     pub channel: &'static str,

@@ -5,7 +5,6 @@ use generator::axis::{Axis, Location, Quantities};
 use portable::Literal;
 use std::collections::BTreeSet;
 
-/// The constructs of an axis.
 pub fn constructs(axis: &Axis) -> BTreeSet<String> {
     let mut shown = BTreeSet::new();
     if let Some(feedforward) = &axis.control.feedforward {

@@ -16,7 +16,6 @@ const REQUESTS: [(&str, &str); 6] =
 /// Smaller velocities count as rounding [0.001 deg/s].
 const MOVING: f64 = 1000.0;
 
-/// The constructs of an axis.
 pub fn constructs(axis: &Axis) -> BTreeSet<String> {
     let word = |drive: &Changeover| match drive {
         Changeover::Cnc => "changeover in the CNC",

@@ -77,7 +77,6 @@ pub struct Curves {
     pub curves: Vec<Curve>,
 }
 
-/// One curve.
 #[derive(Clone, Debug, Serialize)]
 pub struct Curve {
     pub name: String,

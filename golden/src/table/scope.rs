@@ -208,7 +208,6 @@ fn units<'t>(lines: &[&'t str], separator: char) -> Vec<&'t str> {
     cells.iter().map(|cell| cell.split('(').next().unwrap_or_default().trim()).collect()
 }
 
-/// The place of a cell.
 fn place(row: &Row<'_>, cell: &str) -> [usize; 2] {
     [row.line, cells::column_of(row.text, cell)]
 }

@@ -8,7 +8,6 @@ use std::ops::Range;
 /// A `FUNCTION_BLOCK`, checked and lowered.
 #[derive(Clone, Debug)]
 pub struct Block {
-    /// its name
     pub(crate) name: String,
     /// its variables, and the slots
     pub(crate) variables: Variables,

@@ -12,7 +12,6 @@ use tree_sitter::Node;
 
 /// The declarations of a block while they are being read.
 pub(crate) struct Declarations<'a, 't> {
-    /// the text
     pub(crate) text: &'a str,
     /// the form of the file
     pub(crate) dialect: Dialect,

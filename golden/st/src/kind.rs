@@ -7,11 +7,8 @@ use portable::RealKind;
 pub(crate) enum Kind {
     /// REAL or LREAL, as the block says
     Real,
-    /// BOOL
     Bool,
-    /// DINT
     Dint,
-    /// UDINT
     Udint,
     /// INT, in process data only
     Int,
@@ -52,7 +49,6 @@ impl Kind {
 pub(crate) enum Value {
     /// REAL or LREAL
     Real(f64),
-    /// BOOL
     Bool(bool),
     /// DINT or UDINT, INT or UINT
     Word(u32),

@@ -16,7 +16,6 @@ use tree_sitter::Node;
 /// The place of an expression's value.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Operand {
-    /// in a slot
     Slot {
         /// its type
         kind: Kind,
@@ -34,7 +33,6 @@ pub(crate) type Typed = (Kind, u32, bool);
 
 /// A block while it is being lowered.
 pub(crate) struct Lowering<'a, 't> {
-    /// the text
     pub(crate) text: &'a str,
     /// the form of the file
     pub(crate) dialect: Dialect,

@@ -9,7 +9,6 @@ use std::cmp::Ordering;
 pub(crate) struct Slots<R> {
     /// REAL or LREAL
     pub(crate) reals: Vec<R>,
-    /// BOOL
     pub(crate) bools: Vec<bool>,
     /// DINT and UDINT
     pub(crate) words: Vec<u32>,

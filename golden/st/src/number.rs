@@ -56,7 +56,6 @@ pub(crate) struct Constant {
 }
 
 impl Constant {
-    /// A literal.
     pub(crate) fn literal(text: &str) -> Option<Self> {
         Some(Self { double: text.parse().ok()?, single: text.parse().ok()?, same: true }.checked())
     }

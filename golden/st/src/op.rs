@@ -115,7 +115,6 @@ impl Code {
 pub(crate) struct Base {
     /// REAL or LREAL
     pub(crate) reals: u32,
-    /// BOOL
     pub(crate) bools: u32,
     /// DINT and UDINT
     pub(crate) words: u32,

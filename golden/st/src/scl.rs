@@ -11,7 +11,6 @@ const HEADER: [&str; 9] = ["{", "S7_Optimized_Access", ":", "=", "'TRUE'", "}", 
 /// The sections in the order of TIA; each occurs at most once.
 const SECTIONS: [&str; 5] = ["VAR_INPUT", "VAR_OUTPUT", "VAR", "VAR_TEMP", "VAR CONSTANT"];
 
-/// Reads the file.
 pub(crate) fn read(file: &str) -> Result<Source, Vec<Mistake>> {
     let mut blank = Vec::new();
     let mut reading = Reading { file, tokens: tokens(file), next: 0, blank: &mut blank };

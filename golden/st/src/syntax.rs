@@ -75,7 +75,6 @@ pub(crate) fn shown(node: Node<'_>, text: &str) -> String {
     if part.len() == whole.len() { format!("`{part}`") } else { format!("`{part}...`") }
 }
 
-/// The text of a node.
 pub(crate) fn said<'t>(node: Node<'_>, text: &'t str) -> &'t str {
     text.get(node.byte_range()).unwrap_or_default()
 }

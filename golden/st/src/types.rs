@@ -11,7 +11,6 @@ use tree_sitter::Node;
 
 /// The data for the declaration of a structure.
 pub(crate) struct Place<'a> {
-    /// the text
     pub(crate) text: &'a str,
     /// the form of the file
     pub(crate) dialect: Dialect,
@@ -37,7 +36,6 @@ impl Place<'_> {
         structure
     }
 
-    /// The parts of a structure.
     fn parts(&self, name: &str, fields: Node<'_>, mistakes: &mut Mistakes<'_>) -> Structure {
         let mut parts: Vec<Part> = Vec::new();
         for (field, _) in children(fields).into_iter().filter(|(part, _)| part.kind() == "structure_field") {

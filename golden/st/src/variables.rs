@@ -23,7 +23,6 @@ pub(crate) enum Role {
     Constant,
 }
 
-/// A variable.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Variable {
     /// its type
@@ -92,7 +91,6 @@ pub(crate) struct Variables {
     pub(crate) inner: Names<Inner>,
     /// structures; each part of one is a variable by its path
     pub(crate) whole: Names<Whole>,
-    /// arrays
     pub(crate) arrays: Names<Array>,
     /// the slots of the real numbers of the text, apart from start values, in its order
     pub(crate) numbers: Vec<u32>,

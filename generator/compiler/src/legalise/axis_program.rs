@@ -36,7 +36,6 @@ impl AxisProgram {
     }
 }
 
-/// A real input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RealInput {
     /// its position among all inputs

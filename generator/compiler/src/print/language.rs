@@ -95,7 +95,6 @@ pub(super) struct Cases {
     pub nothing: &'static str,
     /// at the end of each list, inside it and after it; without them, assignments are in the line of their labels, if they fit
     pub ends: [&'static str; 2],
-    /// at the end
     pub end: &'static str,
 }
 

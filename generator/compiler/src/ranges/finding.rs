@@ -10,7 +10,6 @@ use std::fmt;
 /// A property that cannot be proven.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// its code
     pub code: &'static str,
     /// what was found, and where
     pub text: String,

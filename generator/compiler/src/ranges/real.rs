@@ -25,7 +25,6 @@ impl Interval {
         if value.is_nan() { Self { nan: true, ..Self::NONE } } else { Self { low: value, high: value, nan: false } }
     }
 
-    /// The numbers from `low` to `high`.
     pub(super) fn numbers(low: f64, high: f64) -> Self {
         Self { low, high, nan: false }
     }

@@ -112,7 +112,6 @@ impl Whole {
     }
 }
 
-/// The number of a literal.
 pub(super) fn number(literal: Literal) -> Option<i64> {
     match literal {
         Literal::I32(value) => Some(value.into()),

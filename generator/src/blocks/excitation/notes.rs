@@ -23,7 +23,6 @@ pub(super) fn lines(axis: &Axis) -> Vec<String> {
     sequence.zip(start).map(|(sequence, start)| format!("excitation: {sequence}; {start}")).into_iter().collect()
 }
 
-/// The sequence.
 fn sequence(axis: &Axis) -> Option<String> {
     let of = axis.excitation.as_ref()?;
     Some(format!(

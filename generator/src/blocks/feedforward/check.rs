@@ -129,7 +129,6 @@ fn weight_of_acceleration(e: &mut Effective<'_>, ways: &mut Ways) -> Option<Rati
     weight
 }
 
-/// The weight of the jerk.
 fn weight_of_jerk(e: &mut Effective<'_>, ways: &mut Ways) -> Option<Ratio> {
     if !ways.sums().with(ways.torque).jerk {
         return Some(Ratio::ZERO);

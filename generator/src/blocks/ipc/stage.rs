@@ -28,7 +28,6 @@ pub(crate) struct StageDesign {
     pub coeffs: stage::Coeffs<f64>,
     /// what its numbers are designed from
     pub inputs: Inputs<f64>,
-    /// prototypes of its filters
     pub prototypes: [Prototype; FILTERS],
     /// largest output for velocities within +-1
     pub norm: f64,
@@ -132,7 +131,6 @@ fn with(structure: stage::Coeffs<f64>, numbers: &stage::Numbers<f64>) -> stage::
     coeffs
 }
 
-/// The section of the simulated oscillation.
 fn simulated_oscillation(stage: usize, damping: f64, of: &reference::oscillation::Coeffs<f64>) -> Section {
     let mut shape = Shape::default();
     oscillation::section(&mut shape, of.g, damping);

@@ -22,7 +22,6 @@ struct CRunner<'a> {
     turns: Vec<(&'a str, String)>,
 }
 
-/// The runner of a block.
 pub(in crate::target) fn file(axis: &BlockIdentity, block: &TargetBlock<'_>, runner: &Runner) -> File {
     let (program, exercise) = (&*block.program, &*block.block.exercise);
     let prefix = names::prefix(axis, program.block);
