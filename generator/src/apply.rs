@@ -23,7 +23,7 @@ pub struct Applied {
     pub changes: Vec<String>,
 }
 
-/// The file of an axis with stages in the place of its own. None: they cannot be written, as the report says.
+/// The file of an axis with stages instead of its own. None: they cannot be written, as the report says.
 pub fn stages(
     path: &Path,
     options: &ListOptions,

@@ -85,16 +85,16 @@ codes! {
          named X, Y or Z. Every block must be over at some time, and no error of the generated block may occur.";
     NO_SETS = "AX020", "an axis that takes no parameter sets",
         "A parameter set is for the block of an axis with the key `tunable = \"all\"`. The set of parameters that the block on \
-         the machine was generated from must have the key, and the new one too. Add it to both, and generate the block anew.";
+         the machine was generated from must have the key, and the new one too. Add it to both, and generate the block again.";
     OTHER_STRUCTURE = "AX021", "a parameter set for another block",
         "The real type, the cycle time, the fade in cycles, the stages, their modes and filters, the cycles of the watch and of \
          ride_through, cycle_counter, and whether the axis is a gantry slave are the structure of a block: it refuses a set of \
-         another structure with error_id 6. Generate the block anew. A lower f0 \
+         another structure with error_id 6. Generate the block again. A lower f0 \
          than before can make the fade longer, which is one period of the lowest f0 at least: with the key `fade` large enough \
          in both sets, other frequencies are a matter of a parameter set.";
     SET_REFUSED = "AX022", "a parameter set that the block refuses",
         "The block on the machine takes no limit above the one that it was generated with, and no number beyond its ranges: it \
-         refuses the set with error_id 7. Take a smaller limit, or generate the block anew.";
+         refuses the set with error_id 7. Take a smaller limit, or generate the block again.";
     RESPONSE_TABLE = "AX023", "a file without the table of a frequency response",
         "A measured response is text: a line of column names, below it a line of numbers for each frequency, separated by \
          tabs, semicolons, commas or blanks. Of XML, the file of a frequency response measurement of SINUMERIK is read, if it has the \
@@ -131,7 +131,7 @@ codes! {
          second value that somebody relies on would be lost otherwise.";
     WRAPPED = "AX112", "a comment without its sign",
         "Manuals print long comments over several lines, and such a line is taken for the rest of the comment above; so are \
-         words that are no path. A controller may take them for a parameter: begin them with `#`.";
+         words that are not a path. A controller may take them for a parameter: begin them with `#`.";
     COMMENT = "AX113", "text after a comment",
         "A comment that begins with /* ends with its line, whatever follows */. The controller does not read the parameter \
          after it.";
@@ -196,7 +196,7 @@ codes! {
         "A frequency is in Hz, kHz or rad/s, a phase in deg or rad. A signal of a measurement in XML has no gain, delay, poles or zeros \
          of its own.";
     RESPONSE_FROM = "AX211", "a frequency response whose signals have no names",
-        "The XML file of a measurement has numbers in the place of the names of its signals. What the response is from must be stated: \
+        "The XML file of a measurement has numbers instead of the names of its signals. What the response is from must be stated: \
          `drive.response_from = \"v_cmd\"` for the speed setpoint, `\"current\"` for the current or torque setpoint, with \
          `drive.speed_gain` and `drive.speed_integral_time`.";
 
@@ -372,8 +372,8 @@ codes! {
          control, 9 (cyclic synchronous velocity mode). Swapped, the drive would take each command for the other one. One manual \
          prints `CSP(9)` for the velocity mode, which is CSV(9).";
     ONLY_VELOCITY = "AX352", "improved position control of a spindle that has velocity control alone",
-        "With P-AXIS-00767 and 00768 at 0 and position control in the drive, the drive has velocity control alone: the spindle is never \
-         under position control, and the stages would never act.";
+        "With P-AXIS-00767 and 00768 at 0 and position control in the drive, the drive has velocity control alone: the spindle \
+         is never under position control, and the stages would never act.";
 
     NO_STAGE = "AX401", "no stage is active",
         "Improved position control does nothing; without feedforward and position control the block is generated all the same, \
@@ -522,7 +522,7 @@ codes! {
          S-0-0296, CANopen 3062h).";
     NOT_IN_SET = "AX447", "a change that no parameter set carries",
         "The set is taken over, and the block goes on with what it was generated with: its mode at start, the velocity below \
-         which a sum counts as 0, the other blocks of the axis. Generate the blocks anew where they are to follow.";
+         which a sum counts as 0, the other blocks of the axis. Generate the blocks again where they are to follow.";
     LAG_TAKEN_UP = "AX448", "a position lag near half a revolution where position control is taken up",
         "The drive can take up position control at up to Voff + window: a spindle that turns when its drive comes on has any \
          speed up to that. The lag (1 - w) v / Kv that the drive needs there reaches 170 deg; from 180 deg on the drive turns the \
@@ -742,7 +742,7 @@ codes! {
          the recorder was at its limit. Clipping makes lines that the machine does not have. Choose a larger range.";
     UNITS_DIFFER = "AX506", "velocities that do not fit each other, or the kind of axis",
         "The motor follows the commanded velocity at low frequencies, so that both have the same size and sign. A factor of \
-         1000 is mm/s in the place of um/s, -1 a motor that counts in the other direction. The block takes both in um/s (rotary \
+         1000 is mm/s instead of um/s, -1 a motor that counts in the other direction. The block takes both in um/s (rotary \
          axes: 0.001 deg/s) in the direction of the command. A rotary axis is recorded in degrees or revolutions: millimetres are \
          probably the recording of another axis.";
     NOT_OF_THE_TASK = "AX507", "channels of which one is from elsewhere",

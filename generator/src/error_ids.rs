@@ -63,9 +63,9 @@ static ROWS: &[Row] = rows! {
         "Take a smaller weight or limit, then a reset, or the mode OFF or DRYRUN: the block is ready again (docs/improved-position-control.md).";
     error_set_structure: "The offered set is refused. Not a fault while a set is in use: that set stays in use. Without a set in use, nothing is added.",
         "Make the set for the block that runs there: `axgen params-of NEW --axis X --on OLD`, with OLD as the file that the block was generated \
-         from; or generate the block anew (docs/parameter-sets.md).";
+         from; or generate the block again (docs/parameter-sets.md).";
     error_set_unsound: "The offered set is refused. Not a fault while a set is in use: that set stays in use. Without a set in use, nothing is added.",
-        "Make the set again, with a limit that is not above the one of the block, or generate the block anew (docs/parameter-sets.md).";
+        "Make the set again, with a limit that is not above the one of the block, or generate the block again (docs/parameter-sets.md).";
     error_set_damaged: "The offered set is refused. Not a fault while a set is in use: that set stays in use. Without a set in use, nothing is added.",
         "The set was changed, damaged, or read while somebody wrote it: write it again, all of it between two calls of the block \
          (docs/parameter-sets.md).";

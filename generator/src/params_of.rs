@@ -82,7 +82,7 @@ fn refused(refusal: &Refusal, name: &str, file: &str, on: &str) -> Diagnostic {
             let found = format!("axis {name} takes no parameter sets");
             Diagnostic::error(codes::NO_SETS, Place::whole(place), found)
                 .allowed(format!("an axis of a set with `tunable = \"all\"`, in {file} and in {on}"))
-                .instead(format!("tunable = \"all\" in [axis.{name}], and generate its block anew"))
+                .instead(format!("tunable = \"all\" in [axis.{name}], and generate its block again"))
         }
         Refusal::Structure(lines) => {
             let lines = lines.join("; ");

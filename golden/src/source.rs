@@ -57,7 +57,7 @@ pub(crate) fn same_program(program: &Path, folder: &Path) -> Result<(), String> 
     match config::load(&folder.join(DIGEST)) {
         Ok(found) if String::from_utf8_lossy(&found).ends_with(&line) => Ok(()),
         _ => Err(format!(
-            "{}: is not the program whose inputs are recorded in {INPUTS}; --again records them anew",
+            "{}: is not the program whose inputs are recorded in {INPUTS}; --again records them again",
             program.slashes()
         )),
     }

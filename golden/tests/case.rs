@@ -178,7 +178,7 @@ fn recorded_inputs_of_a_scenario_stay_as_they_are() {
     let refused = record(&folder, false).unwrap_err();
     let place = folder.path().join("turn.nc");
     let expected = format!(
-        "{}: is not the program whose inputs are recorded in inputs.csv; --again records them anew",
+        "{}: is not the program whose inputs are recorded in inputs.csv; --again records them again",
         place.display()
     );
     assert_eq!(refused, expected);

@@ -16,8 +16,8 @@ macro_rules! constants {
     )+};
 }
 
-/// The numbers of a section in single and in double precision, in the order of their turns, each with its turn and, if it completes
-/// the section, with what it is: `take` and `pick`.
+/// `take` and `pick` of a section, from its numbers in single and in double precision: in the order of their turns, each with
+/// its turn and, if it completes the section, with what it is.
 macro_rules! numbers {
     (single: $($s:ident $st:tt $($s_role:ident)?),+; double: $($d:ident $dt:tt $($d_role:ident)?),+; turns: $ss:tt, $ds:tt) => {
         /// Copies the numbers of another section.
@@ -30,8 +30,8 @@ macro_rules! numbers {
             }
         }
 
-        /// Picks the number whose turn it is, its copy, and what it is; turns are numbered from `first`. Returns the turn after the
-        /// last one.
+        /// Picks the number whose turn it is, its copy, and what it is; turns are numbered from `first`. Returns the turn
+        /// after the last one.
         #[portable]
         pub fn pick<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32, numbers: &Coeffs<R>, copy: &Coeffs<R>) -> u32 {
             if is_driven_by_change::<R>() {

@@ -136,7 +136,7 @@ pub enum Golden {
         /// Folders with a case.toml
         #[arg(required = true)]
         cases: Vec<PathBuf>,
-        /// Record the inputs of scenarios anew, too; without it they stay as they are
+        /// Record the inputs of scenarios again, too; without it they stay as they are
         #[arg(long)]
         again: bool,
     },
@@ -296,7 +296,7 @@ pub struct DriveArguments {
     /// Time constant after that: 3ms
     #[arg(long, value_name = "TIME")]
     pub time_constant: Option<String>,
-    /// CSV file with a measured frequency response to the velocity of the motor, in the place of the time constant; --delay is
+    /// CSV file with a measured frequency response to the velocity of the motor, instead of the time constant; --delay is
     /// then the delay that the measurement lacks [default: 0]
     #[arg(long, value_name = "FILE")]
     pub response: Option<String>,
@@ -339,7 +339,7 @@ pub struct SimulateArguments {
     pub subject: AxisArguments,
     #[command(flatten)]
     pub drive: DriveArguments,
-    /// A machine with mechanics in the place of the drive
+    /// A machine with mechanics instead of the drive
     #[arg(long, value_name = "PLANT", value_parser = ["demonstration"],
         conflicts_with_all = ["delay", "time_constant", "response", "response_from", "speed_gain", "speed_integral_time"])]
     pub plant: Option<String>,
@@ -419,7 +419,7 @@ pub struct TuneArguments {
     /// [default: as v_excite shows it]
     #[arg(long, value_name = "BITS[xCLOCK]", value_parser = measure::excitation, requires = "excited")]
     pub excitation: Option<Excitation>,
-    /// CSV file with a measured response of the drive, in the place of that of the set and of the excited recording
+    /// CSV file with a measured response of the drive, instead of that of the set and of the excited recording
     #[arg(long, value_name = "FILE")]
     pub response: Option<String>,
     /// Which column of the CSV files is which signal, where the names differ; `SCOPE=-` leaves a column out
@@ -429,7 +429,7 @@ pub struct TuneArguments {
     /// mode=DIRECT,fg_f0=53,q_factor=10,weight=0.5,allpass=24.5/2; `set`: the stages of the set
     #[arg(long, value_name = "KEY=VALUE,...")]
     pub stage: Vec<String>,
-    /// Write a proposal into the set, or into the axis list that is given as the set: its stages in the place of those of the axis, and
+    /// Write a proposal into the set, or into the axis list that is given as the set: its stages instead of those of the axis, and
     /// enable DRYRUN
     #[arg(long, value_name = "PROPOSAL", value_parser = ["recommended", "strong", "cautious", "first"], conflicts_with = "stage")]
     pub apply: Option<String>,

@@ -1,7 +1,6 @@
 //! The example `examples/cortex-m4`: its script builds and runs it, and the block halves the vibration at least.
 
-use std::path::Path;
-use std::process::Command;
+use std::{path::Path, process::Command};
 
 /// Whether a plain run may go on without the programs that the example needs.
 fn may_be_left_out() -> bool {

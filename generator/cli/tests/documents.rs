@@ -3,9 +3,8 @@
 //! below the README's first command stands what that prints.
 
 use crate::{ROOT, words};
-use std::collections::BTreeSet;
-use std::fs;
 use std::path::{Path, PathBuf};
+use std::{collections::BTreeSet, fs};
 
 const FROM_SOURCE: &str = "cargo run --release -p axgen -- ";
 

@@ -23,8 +23,7 @@ mod scenario;
 mod set_design;
 mod simulate;
 
-use std::path::Path;
-use std::process::Command;
+use std::{path::Path, process::Command};
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 

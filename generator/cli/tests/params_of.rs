@@ -2,9 +2,7 @@
 //! refused, and what `axgen diff` says of the same changes.
 
 use crate::words;
-use std::fs;
-use std::path::Path;
-use std::process::Command;
+use std::{fs, path::Path, process::Command};
 use tempfile::TempDir;
 
 const OLD: &str = include_str!("params_of.toml");

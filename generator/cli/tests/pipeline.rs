@@ -1,10 +1,7 @@
 //! The example repository of docs/pipelines.md, from an empty folder on: everything in it that a pipeline, a build or a person runs.
 
 use crate::EXAMPLES;
-use std::fs;
-use std::io::Write;
-use std::path::Path;
-use std::process::Command;
+use std::{fs, io::Write, path::Path, process::Command};
 
 /// A machine's repository as somebody begins it.
 struct Repository(tempfile::TempDir);

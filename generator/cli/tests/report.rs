@@ -7,9 +7,7 @@ use generator::config::{self, ListOptions};
 use generator::target::TARGETS;
 use generator::{manifest, pipeline};
 use roxmltree::{Document, Node, ParsingOptions};
-use std::collections::BTreeSet;
-use std::fs;
-use std::path::Path;
+use std::{collections::BTreeSet, fs, path::Path};
 
 /// The most bytes of a report, for each axis.
 const MOST: usize = 1_000_000;

@@ -3,12 +3,11 @@
 
 use crate::{AXGEN, is_exhaustive};
 use generator::digest::has_right_checksum;
-use std::collections::BTreeMap;
-use std::fs;
 use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
 use std::os::unix::process::{CommandExt, ExitStatusExt};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
+use std::{collections::BTreeMap, fs};
 use tempfile::TempDir;
 
 /// A user without any right of its own.

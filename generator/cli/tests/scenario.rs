@@ -3,8 +3,7 @@
 
 use crate::simulate::with_damping as example;
 use crate::{ROOT, words as axgen};
-use std::fs;
-use std::path::Path;
+use std::{fs, path::Path};
 use tempfile::TempDir;
 
 const SETS: &str = include_str!("scenario.toml");

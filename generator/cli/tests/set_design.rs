@@ -1,8 +1,6 @@
 //! The example `examples/set-design`: drive parameters that are typed while the axis moves become parameter sets of the generator.
 
-use std::fs;
-use std::path::Path;
-use std::process::Command;
+use std::{fs, path::Path, process::Command};
 
 fn succeeds(command: &mut Command) -> String {
     let output = command.output().unwrap();

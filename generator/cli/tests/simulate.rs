@@ -2,8 +2,7 @@
 //! its analysis says, a measured response as a machine, and loops that oscillate.
 
 use crate::{EXAMPLES, words};
-use std::fs;
-use std::path::Path;
+use std::{fs, path::Path};
 use tempfile::TempDir;
 
 /// The exit code and what was printed.

@@ -181,6 +181,6 @@ fn others(value: Literal) -> Vec<Literal> {
         Literal::U32(value) => vec![Literal::U32(value.wrapping_add(1))],
         // What somebody types changes in the drill only.
         Literal::F64(_) | Literal::F32(_) => Vec::new(),
-        other => panic!("exercise: {other:?} is no switch"),
+        other => panic!("exercise: {other:?} is not a switch"),
     }
 }

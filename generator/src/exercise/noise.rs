@@ -55,6 +55,6 @@ fn scaled(integer: i32, scale: Literal, small: f32) -> Literal {
     match scale {
         Literal::F64(scale) => Literal::F64(f64::from(integer) * scale * f64::from(small)),
         Literal::F32(scale) => Literal::F32(integer as f32 * scale * small),
-        other => panic!("noise: {other:?} is no factor"),
+        other => panic!("noise: {other:?} is not a factor"),
     }
 }

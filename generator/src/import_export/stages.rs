@@ -11,7 +11,7 @@ use crate::parameters::Name;
 use std::path::Path;
 use std::sync::Arc;
 
-/// The file with the stages in the place of those of an axis, and with the mode DRYRUN. None: they cannot be written there, as
+/// The file with the stages instead of those of an axis, and with the mode DRYRUN. None: they cannot be written there, as
 /// the report says.
 pub fn with_stages(path: &Path, axis: &str, stages: &[Stage], load: Load<'_>) -> (Option<Vec<u8>>, Report) {
     let mut report = Report::default();

@@ -96,7 +96,7 @@ impl Set<'_> {
         format!("axis.{}.{}", self.axis, IPC.join("."))
     }
 
-    /// The stages in the place of `[[...stage]]`, after the lines above them.
+    /// The stages instead of `[[...stage]]`, after the lines above them.
     fn in_tables(&self, old: &ArrayOfTables, above: &str, stages: &[Stage]) -> Result<Vec<Edit>, String> {
         let spans: Option<Vec<Range<usize>>> =
             old.iter().map(|table| Some(table.span()?.start..end_of_table(table))).collect();
@@ -210,7 +210,7 @@ impl Set<'_> {
         stages.iter().map(table).collect::<Vec<_>>().join("\n")
     }
 
-    /// An array in the place of another one.
+    /// An array instead of another one.
     fn array(&self, old: Option<Range<usize>>, stages: &[Stage]) -> Result<Edit, String> {
         let old = old.ok_or("the array has no place")?;
         let line = &self.text[self.line_start(old.start)..old.start];

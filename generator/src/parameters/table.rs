@@ -152,7 +152,7 @@ table! {
     DriveDelay: AXIS_KEY("drive.delay", kind: Kind::Real { from: 1.0, to: 1000.0, open: [false; 2] }, unit: "cycles")
     /// time constant of the drive's velocity, after the delay: for the stability of the loop
     DriveTimeConstant: AXIS_KEY("drive.time_constant", kind: Kind::Duration { from: 1, to: 10_000_000_000 }, unit: "ns")
-    /// file of a measured frequency response to the velocity of the motor, relative to the set: for the stability of the loop, in the place of
+    /// file of a measured frequency response to the velocity of the motor, relative to the set: for the stability of the loop, instead of
     /// the time constant; drive.delay is then the delay that it lacks, without it 0
     DriveResponse: AXIS_KEY("drive.response")
     /// the signal that the response starts from: the commanded velocity; or the current, which needs the gain and the integral time of the

@@ -165,7 +165,7 @@ fn a_response_without_names_says_what_it_is_from() {
     let pairs =
         format!("<ResponseTestCustom><LinkedList name=\"{}\"><P/><P/></LinkedList></ResponseTestCustom>", lists[0]);
     for (set, xml, expected) in [
-        (&set(""), &pairs, "p.xml: error[AX211]: XML, in which signals have numbers in the place of names\n"),
+        (&set(""), &pairs, "p.xml: error[AX211]: XML, in which signals have numbers instead of names\n"),
         (&stated, &pairs, "p.xml:1:21: error[AX118]: 2 pairs of an input and an output\n"),
         (&set(""), &of_two, "p.xml:1:54: error[AX023]: the file is broken XML"),
         (&set(""), &"<Project/>".to_owned(), "p.xml:1:1: error[AX023]: XML with the element `Project`\n"),

@@ -24,7 +24,7 @@ fn db(hz: f64) -> [f64; 2] {
 
 const DB: &str = "f [Hz];magnitude [dB];phase [deg]";
 
-/// The response with another line in the place of one.
+/// The response with another line instead of one.
 fn with_line(line: usize, text: &str) -> String {
     let whole = parts(&lines(), velocity_loop);
     let changed = whole.lines().enumerate().map(|(index, old)| if index + 1 == line { text } else { old });

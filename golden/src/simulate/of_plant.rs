@@ -70,7 +70,7 @@ impl OfPlant {
         Some(1.0 / nearest.fold(f64::INFINITY, f64::smaller).sqrt())
     }
 
-    /// The open loop with stages, with the measured position in the place of the sum of the velocities.
+    /// The open loop with stages, with the measured position instead of the sum of the velocities.
     fn open(&self, designed: &Designed, point: &Curve) -> Complex64 {
         let modes = designed.axis.ipc.stage.iter().map(|stage| stage.as_ref().map(|stage| stage.mode));
         let sum = |through_position: bool| {

@@ -5,7 +5,7 @@ use portable::portable;
 /// Stages of a block.
 pub const STAGES: usize = 3;
 
-/// Declares the inputs of the block; its form with parameter sets has others in the place of those for tuning.
+/// Declares the inputs of the block; its form with parameter sets has others instead of those for tuning.
 macro_rules! inputs {
     ([$($tuning:tt)*] $($more:tt)*) => {
         /// Inputs. Velocities are in um/s for a translatory axis, in 0.001 deg/s for a rotary axis or a spindle.

@@ -51,7 +51,7 @@ pub struct Coefficients {
     pub torque_bits: Option<Bits>,
     /// where the position is controlled
     pub location: Location,
-    /// whether the controller of the CNC takes `following_error` in the place of both positions: in single precision
+    /// whether the controller of the CNC takes `following_error` instead of both positions: in single precision
     pub takes_following_error: bool,
     /// Kv [1/s]
     pub kv: Exact,

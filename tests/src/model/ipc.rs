@@ -164,7 +164,7 @@ impl Ipc {
         }
     }
 
-    /// The inputs and `v_command` with which a cycle runs, and whether the last good sample stands in the place of one of them.
+    /// The inputs and `v_command` with which a cycle runs, and whether the last good sample stands instead of one of them.
     #[must_use]
     pub fn ride(&mut self, p: &Parameters, c: &Coefficients, inputs: &Inputs, v_command: f64) -> (Inputs, f64, bool) {
         const READ_BY: [&[Mode]; 3] = [&[Mode::SetPoint], &[Mode::Indirect, Mode::DirectMotor], &[Mode::DirectLoad]];
@@ -181,7 +181,7 @@ impl Ipc {
         (Inputs { v_motor, v_direct, ..*inputs }, v_command, is_held)
     }
 
-    /// Whether the last good sample would stand in the place of a bad one.
+    /// Whether the last good sample would stand instead of a bad one.
     #[must_use]
     pub fn can_ride(&self) -> bool {
         self.runs && self.bad < self.ride_through

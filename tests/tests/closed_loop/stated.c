@@ -274,8 +274,8 @@ static bool is_shared(double part)
         && fabs((double)outputs.velocity_command - INCREMENTS * (1.0 - part) * outputs.v_spindle) <= 0.5;
 }
 
-/* An error, or drive_on FALSE while the drive is on after all: as long as the drive displays position control, it needs the additive
- * velocity that the lead of its position command counts on. */
+/* An error, or drive_on FALSE while the drive is on after all: as long as the drive displays position control, it needs the
+ * additive velocity that the lead of its position command counts on. */
 static void keeps_lead(bool goes_off)
 {
     turn(0.0, 0.0);

@@ -102,7 +102,7 @@ fn is_real(name: &str) -> bool {
     name.trim_start_matches("__aeabi_").starts_with(['f', 'd']) && !name.contains("div")
 }
 
-/// The two lines of the page, with a case's block, and the start-up code of these tests in the place of the reader's.
+/// The two lines of the page, with a case's block, and the start-up code of these tests instead of the reader's.
 #[test]
 fn the_lines_for_clang_link_a_runner_that_passes() {
     if !is_there() || !BOARDS[2].is_there() {

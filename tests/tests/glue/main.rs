@@ -153,7 +153,7 @@ fn the_axes_share_one_text() {
     assert!(code(LISTS[0]).len() > 20 && code(LISTS[0]) == code(LISTS[1]));
 }
 
-/// The text with something else in the place of each of its occurrences.
+/// The text with something else instead of each of its occurrences.
 fn swap(text: &str, old: &str, new: &str) -> String {
     assert!(text.contains(old), "{old:?} is there");
     text.replace(old, new)

@@ -1,9 +1,7 @@
 //! Which files are written, named and kept: repeated targets, single axes next to what all share, pages, outputs of a run.
 
 use super::{axgen, started};
-use std::collections::BTreeSet;
-use std::fs;
-use std::path::Path;
+use std::{collections::BTreeSet, fs, path::Path};
 
 /// Files below a folder, with `/` between their parts.
 fn files(folder: &Path, below: &str) -> BTreeSet<String> {

@@ -1,9 +1,7 @@
 //! What a killed run leaves next to its targets, and files of a person that only have such a name.
 
 use super::{axgen, started};
-use std::collections::BTreeMap;
-use std::fs;
-use std::path::Path;
+use std::{collections::BTreeMap, fs, path::Path};
 
 pub fn content(folder: &Path) -> BTreeMap<String, String> {
     let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());

@@ -4,9 +4,8 @@
 use super::killed::content;
 use super::{axgen, edit, started};
 use serde_json::Value;
-use std::fs;
-use std::path::Path;
 use std::process::{Command, Output};
+use std::{fs, path::Path};
 
 /// A folder with a set of one axis, one of two, a stimulus that is wrong twice, and what was generated and edited by hand.
 fn folder() -> tempfile::TempDir {

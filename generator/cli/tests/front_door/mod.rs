@@ -11,9 +11,8 @@ mod streams;
 
 use crate::{AXGEN, ROOT, Run};
 use serde_json::Value;
-use std::fs;
-use std::path::Path;
 use std::process::{Command, Stdio};
+use std::{fs, path::Path};
 use tempfile::TempDir;
 
 fn axgen(folder: &Path, arguments: &[&str]) -> (i32, String, String) {

@@ -3,8 +3,7 @@
 
 use super::{axgen, started, write_case};
 use crate::AXGEN;
-use std::fs;
-use std::path::Path;
+use std::{fs, path::Path};
 
 const FOREIGN: &str = "is not an earlier output of this command; give another name, or --force to replace it";
 

@@ -5,10 +5,9 @@
 use super::{axgen, started};
 use crate::limited::{self, Limits};
 use std::fs::{self, File};
-use std::os::unix::fs::symlink;
-use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
+use std::{os::unix::fs::symlink, path::Path};
 
 /// No such file may keep a command busy for longer; the tests run side by side.
 const LIMITS: Limits = Limits { time: Duration::from_secs(60), memory: 2_097_152 };

@@ -3,9 +3,8 @@
 #![cfg(target_os = "linux")]
 
 use super::{started, write_case};
-use std::fs::File;
-use std::path::Path;
 use std::process::{Command, Output};
+use std::{fs::File, path::Path};
 
 /// Every command that prints, one a line.
 const PRINT: &str = include_str!("printing.txt");

@@ -2,8 +2,7 @@
 
 use super::row::{Seen, see};
 use super::rows;
-use std::collections::BTreeMap;
-use std::fs;
+use std::{collections::BTreeMap, fs};
 
 const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/hostile-input.md");
 

@@ -1,8 +1,7 @@
 //! Input that looks hostile and is legal: it is generated, and every compiler and checker takes the result.
 
 use super::row::{IPC, list, set};
-use std::fs;
-use std::path::Path;
+use std::{fs, path::Path};
 
 rows! {
     a_keyword_of_all: "an axis `if`" => |folder| named(folder, "if");

@@ -1,10 +1,7 @@
 //! Files that are not there, or are none; ways out of the folder.
 
 use super::row::{axis, set};
-use std::fs;
-use std::os::unix::fs::symlink;
-use std::path::Path;
-use std::process::Command;
+use std::{fs, os::unix::fs::symlink, path::Path, process::Command};
 
 rows! {
     a_missing_set: "a set that is not there" => |_| vec!["set.toml".to_owned()];

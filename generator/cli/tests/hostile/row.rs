@@ -3,13 +3,11 @@
 use super::document;
 use super::run::{axgen, files, read_result};
 use crate::Run;
-use generator::digest::has_right_checksum;
-use generator::manifest::NAME as MANIFEST;
-use std::collections::BTreeMap;
-use std::fs;
+use generator::{digest::has_right_checksum, manifest::NAME as MANIFEST};
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use std::time::{Duration, SystemTime};
+use std::{collections::BTreeMap, fs};
 use tempfile::TempDir;
 
 pub struct Row {

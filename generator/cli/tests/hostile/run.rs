@@ -2,11 +2,9 @@
 
 use crate::Run;
 use crate::limited::{self, Limits};
-use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Stdio;
-use std::time::Duration;
+use std::{collections::BTreeMap, fs};
+use std::{process::Stdio, time::Duration};
 
 /// No input may keep the command busy for longer.
 const LIMITS: Limits = Limits { time: Duration::from_secs(10), memory: 1_048_576 };

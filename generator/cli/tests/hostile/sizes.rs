@@ -1,8 +1,7 @@
 //! Input that is large, long or deep.
 
 use super::row::{IPC, axis, list, set};
-use std::fs::File;
-use std::path::Path;
+use std::{fs::File, path::Path};
 
 rows! {
     a_set_of_100_mb: "a set of 100 MB" => |folder| sparse(folder, "set.toml", 100_000_000, &[]);

@@ -1,12 +1,10 @@
 //! A folder with sets and what they generated, and what happens to it between two runs.
 
 use crate::{AXGEN, Run as Said};
-use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::thread::sleep;
-use std::time::Duration;
+use std::{collections::BTreeMap, fs};
+use std::{thread::sleep, time::Duration};
 use tempfile::TempDir;
 
 /// What somebody writes into a file: it is never lost.

@@ -19,9 +19,7 @@ use machine::plant::DEMONSTRATION;
 use machine::sequence::Sequence;
 use serde_json::Value;
 use std::f64::consts::{PI, TAU};
-use std::fmt::Write;
-use std::fs;
-use std::sync::LazyLock;
+use std::{fmt::Write, fs, sync::LazyLock};
 
 const NAMES: [&str; 7] = ["x_command [mm]", "x_actual [mm]", "v_command", "v_motor", "v_cmd", "v_excite", "a_load"];
 

@@ -2,12 +2,9 @@
 
 use super::plant::{A_LOAD, CYCLE, Columns, OF_EXCITED, OF_MOVES, V_EXCITE, V_MOTOR, moves, number};
 use super::tune::{SET, csv, drive, excited, folder, seen_error, tune};
-use crate::axgen;
-use crate::simulate::row;
+use crate::{axgen, simulate::row};
 use serde_json::Value;
-use std::f64::consts::PI;
-use std::fs;
-use std::sync::LazyLock;
+use std::{f64::consts::PI, fs, sync::LazyLock};
 use tempfile::TempDir;
 
 static MOVES: LazyLock<String> = LazyLock::new(|| csv(&moves(), &OF_MOVES));

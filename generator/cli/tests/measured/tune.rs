@@ -4,9 +4,7 @@ use super::plant::{self, A_LOAD, CYCLE, Columns, Noise, OF_EXCITED, OF_MOVES, V_
 use crate::simulate::row;
 use crate::{Run, axgen};
 use serde_json::Value;
-use std::f64::consts::TAU;
-use std::fmt::Write;
-use std::fs;
+use std::{f64::consts::TAU, fmt::Write, fs};
 use tempfile::TempDir;
 
 /// An axis whose stages are to be found.

@@ -2,10 +2,7 @@
 //! what to do instead. The rows are in `table.toml`.
 
 use serde_json::Value;
-use std::collections::BTreeMap;
-use std::fs;
-use std::path::Path;
-use std::process::Command;
+use std::{collections::BTreeMap, fs, path::Path, process::Command};
 
 /// Of the misuses that were looked for, so many may be said without what to do instead.
 const WITHOUT_REMEDY: usize = 10;

@@ -1,9 +1,7 @@
 //! Each of the commonest mistakes, planted in a good recording, is named.
 
 use super::{Recording, SET, axgen, compare, folder, good};
-use std::fs;
-use std::ops::Range;
-use std::path::Path;
+use std::{fs, ops::Range, path::Path};
 
 /// The lines that name what explains a difference.
 fn explained(folder: &Path, recording: &Recording) -> String {

@@ -6,9 +6,7 @@ mod refused;
 mod spellings;
 
 use crate::{Run, axgen};
-use std::fs;
-use std::path::Path;
-use std::sync::LazyLock;
+use std::{fs, path::Path, sync::LazyLock};
 
 /// Two axes of one kind: X follows the motor and the command, Y has other frequencies.
 const SET: &str = include_str!("axes.toml");

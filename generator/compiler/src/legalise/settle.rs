@@ -108,7 +108,7 @@ fn go_before(statement: &mut Statement, output: Var, value: &Expr) {
 /// Replaces the output by a local, which it returns, from the first of two statements that write it until the second one.
 fn hold(list: &mut [Statement], (first, next): (usize, usize), output: Var, program: &mut Program) -> Var {
     let local = Var::Local(program.locals.len());
-    let Var::Output(index) = output else { panic!("settle: {output:?} is no output") };
+    let Var::Output(index) = output else { panic!("settle: {output:?} is not an output") };
     let variable = &program.outputs[index];
     let start = variable.start;
     let path = |end: &&str| format!("{}_{end}", variable.path);

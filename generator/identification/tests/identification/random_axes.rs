@@ -5,8 +5,7 @@
 use crate::by_depth;
 use crate::plant::{CYCLE, Impulse, random_axis};
 use crate::proposals::{Truth, measured, proposed, stages, tried};
-use crate::stage::response;
-use crate::what_if::VIBRATIONS;
+use crate::{stage::response, what_if::VIBRATIONS};
 use identification::Complex64;
 use identification::proposals::{Proposal, Refused};
 use identification::source::{Side, side};

@@ -11,9 +11,7 @@ use identification::response::Lines;
 use identification::segments::{self, Kind};
 use identification::source::{Side, ratio, side};
 use machine::plant::{DEMONSTRATION, Plant};
-use std::f64::consts::TAU;
-use std::ops::Range;
-use std::sync::LazyLock;
+use std::{f64::consts::TAU, ops::Range, sync::LazyLock};
 
 static OFF: LazyLock<Move> = LazyLock::new(|| moved(&DEMONSTRATION, |_| 0.0).0);
 

@@ -9,8 +9,7 @@ use identification::what_if::Axis;
 use identification::{Complex64, segments};
 use machine::measure::amplitude;
 use machine::plant::{DEMONSTRATION, Plant};
-use std::f64::consts::PI;
-use std::ops::Range;
+use std::{f64::consts::PI, ops::Range};
 
 /// The vibrations of the demonstration plant, as its load shows them.
 pub const VIBRATIONS: [Vibration; 2] = [

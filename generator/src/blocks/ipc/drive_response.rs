@@ -42,7 +42,7 @@ pub(crate) fn read(
 }
 
 /// Reports what is stated of the drive and not used: a warning for a key, an error for an option of the command line. A
-/// response stands in the place of the time constant, and only one from the current has a speed controller.
+/// response replaces the time constant, and only one from the current has a speed controller.
 fn unused(e: &mut Effective<'_>) {
     let has_response = e.given(key(Name::DriveResponse)).is_some();
     let from = e.validated_word(key(Name::DriveResponseFrom));
@@ -76,13 +76,11 @@ fn unused(e: &mut Effective<'_>) {
 
 /// An error: a default for the input of the response would be a guess.
 fn without_names(file: &str) -> Diagnostic {
-    Diagnostic::error(
-        codes::RESPONSE_FROM,
-        Place::whole(file),
-        "XML, in which signals have numbers in the place of names",
-    )
-    .allowed("a response of which the set, or the option --response-from, states what it is from")
-    .instead("`drive.response_from = \"v_cmd\"` from the speed setpoint, `\"current\"` from that of current or torque")
+    Diagnostic::error(codes::RESPONSE_FROM, Place::whole(file), "XML, in which signals have numbers instead of names")
+        .allowed("a response of which the set, or the option --response-from, states what it is from")
+        .instead(
+            "`drive.response_from = \"v_cmd\"` from the speed setpoint, `\"current\"` from that of current or torque",
+        )
 }
 
 /// The input of the response. `drive.delay` is the delay that the measurement lacks.

@@ -23,7 +23,7 @@ impl Samples {
         self.0.clear();
     }
 
-    /// The last three; before there are three the first one in the place of those before it.
+    /// The last three; before there are three the first one instead of those before it.
     fn last_three(&self) -> Option<[f64; 3]> {
         let first = *self.0.first()?;
         let back = |age: usize| self.0.len().checked_sub(age).map_or(first, |place| self.0[place]);
