@@ -66,10 +66,10 @@ pub(super) fn end_of_word(text: &str) -> usize {
 
 /// Whether a text is a word with blanks inside, as manuals print `SET POINT`: no comment after a value.
 fn is_split(words: &'static [Word], text: &str) -> bool {
+    let (first, rest) = text.split_at(end_of_word(text));
+    let is_word = |text: &str| words.iter().any(|word| word.is_spelled(text));
     let joined = |with: &str| text.split_ascii_whitespace().collect::<Vec<_>>().join(with);
-    let [first, whole, dense] = [text[..end_of_word(text)].to_owned(), joined("_"), joined("")];
-    words.iter().all(|word| !word.is_spelled(&first))
-        && words.iter().any(|word| word.is_spelled(&whole) || word.is_spelled(&dense))
+    !rest.is_empty() && !is_word(first) && (is_word(&joined("_")) || is_word(&joined("")))
 }
 
 /// The end of the words of a parameter at the start of a text; the end of the whole text if a word after them resembles one.

@@ -6,7 +6,15 @@ impl Statement {
     /// Calls `visit` for this statement, then for those inside it.
     pub(crate) fn walk<'a>(&'a self, visit: &mut impl FnMut(&'a Self)) {
         visit(self);
-        self.branches().flatten().for_each(|inner| inner.walk(visit));
+        match self {
+            Self::Note(_) | Self::Assign { .. } => {}
+            Self::If { then, otherwise, .. } => {
+                then.iter().for_each(|inner| inner.walk(visit));
+                otherwise.iter().for_each(|inner| inner.walk(visit));
+            }
+            Self::Choose { arms, .. } => arms.iter().flat_map(|arm| &arm.body).for_each(|inner| inner.walk(visit)),
+            Self::Apart(body) => body.iter().for_each(|inner| inner.walk(visit)),
+        }
     }
 
     /// The expression that the statement itself evaluates.
@@ -102,6 +110,19 @@ impl Expr {
         first.into_iter().chain(second).chain(more)
     }
 
+    /// Calls `visit` for each operand of this expression.
+    fn each_operand<'a>(&'a self, mut visit: impl FnMut(&'a Self)) {
+        match self {
+            Self::Literal(_) | Self::Var(_) => {}
+            Self::Unary(_, operand) | Self::Element(_, operand) => visit(operand),
+            Self::Binary(_, left, right) => {
+                visit(left);
+                visit(right);
+            }
+            Self::Intrinsic(_, operands) => operands.iter().for_each(visit),
+        }
+    }
+
     /// Calls `change` for each operand of this expression.
     pub(crate) fn change_operands(&mut self, mut change: impl FnMut(&mut Self)) {
         match self {
@@ -118,7 +139,7 @@ impl Expr {
     /// Calls `visit` for the expression and for every part of it.
     pub fn parts<'a>(&'a self, visit: &mut impl FnMut(&'a Self)) {
         visit(self);
-        self.operands().for_each(|operand| operand.parts(visit));
+        self.each_operand(|operand| operand.parts(visit));
     }
 
     /// Calls `visit` for every variable that the expression reads.
@@ -128,7 +149,7 @@ impl Expr {
             Self::Element(row, _) => row.elements().for_each(&mut *visit),
             _ => {}
         }
-        self.operands().for_each(|operand| operand.variables(visit));
+        self.each_operand(|operand| operand.variables(visit));
     }
 
     /// Whether the expression reads the variable.
