@@ -15,8 +15,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// Cycles of a history; then the drive is off for a while.
 const CYCLES: usize = 2000;
 
-/// A spindle in the drive, in the CNC with all that an axis has, and both in single precision.
-const SPINDLES: [&str; 2] = [
+/// A spindle in the drive, in the CNC with all that an axis has, and one whose drive has velocity control alone.
+const SPINDLES: [&str; 3] = [
     "kenngr.antr_typ = 'SERCOS'
 antr.sercos.op_mode_for_velocity_control = 1
 antr.nbr_delay_cycles = 4
@@ -24,6 +24,10 @@ antr.sai_op_mode_change.feed_forward_v_weighting = 500
 process_data.additive_velocity = 'INT32'
 process_data.velocity_command = 'INT16'
 vorsteuer.vorsteuerung = 'ADD_VEL'
+",
+    "kenngr.antr_typ = 'SERCOS'
+antr.sercos.op_mode_for_velocity_control = 1
+antr.sai_op_mode_change = { v_velocity_control_on = 0, v_position_control_on = 0 }
 ",
     "vorsteuer.vorsteuerung = 'VEL'
 lr_param.improved_position_control.enable = 'ON'
@@ -37,15 +41,17 @@ fn spindle(of: &str, real: RealKind) -> Designed {
         RealKind::F64 => "f64",
         RealKind::F32 => "f32",
     };
-    let shared = "antr.sai_op_mode_change.v_velocity_control_on = 1200000
+    let changeover = "antr.sai_op_mode_change.v_velocity_control_on = 1200000
 antr.sai_op_mode_change.v_position_control_on = 300000
-spindle.brake_timeout = '1s'
+";
+    let changeover = if of.contains("v_velocity_control_on") { "" } else { changeover };
+    let shared = "spindle.brake_timeout = '1s'
 spindle.mode_timeout = '20ms'
 spindle.deceleration = 18000000.0
 getriebe = [{ kv = 2000, dynamik = { vb_max = 18000000 }, multi_gain_z = 10000000, multi_gain_n = 360 }]
 ";
     subject::read(&format!(
-        "cycle_time = '2ms'\n[axis.X]\nreal = '{real}'\nkenngr.achs_typ = 'ACHSTYP_SPINDEL'\n{shared}{of}"
+        "cycle_time = '2ms'\n[axis.X]\nreal = '{real}'\nkenngr.achs_typ = 'ACHSTYP_SPINDEL'\n{changeover}{shared}{of}"
     ))
 }
 
@@ -54,6 +60,7 @@ fn parameters(designed: &Designed) -> Parameters {
     let coeffs = designed.spindle;
     Parameters {
         in_cnc: !coeffs.in_drive,
+        only_velocity: coeffs.only_velocity,
         position_mode: coeffs.position_mode,
         velocity_mode: coeffs.velocity_mode,
         mode_timeout_cycles: coeffs.mode_cycles,
@@ -100,7 +107,8 @@ fn signal(name: &str, of: &Inputs) -> Option<Literal> {
 fn crowd(seed: u64, p: &Parameters) -> Vec<Inputs> {
     let mut rng = Rng::new(seed);
     let mut inputs = Inputs { drive_on: true, ..Inputs::START };
-    let velocities = [0.0, p.v_off, -p.v_off, p.v_on, -p.v_on, 2.0 * p.v_on, -2.0 * p.v_on];
+    let fast = p.v_on.max(p.deceleration * p.cycle);
+    let velocities = [0.0, p.v_off, -p.v_off, fast, -fast, 2.0 * fast, -2.0 * fast];
     let cycle = |_| {
         for request in
             [&mut inputs.m3, &mut inputs.m4, &mut inputs.m5, &mut inputs.m19, &mut inputs.putax, &mut inputs.g74]
@@ -146,7 +154,7 @@ fn samples(shape: Shape, p: &Parameters, cycles: usize) -> Samples {
 #[test]
 fn random_requests_give_the_same_bits_in_every_engine() {
     let given = std::env::var("AXGEN_SPINDLE_CYCLES").ok().and_then(|text| text.parse().ok());
-    let cycles: usize = given.unwrap_or(by_depth(40_000, 60_000, 320_000));
+    let cycles: usize = given.unwrap_or(by_depth(28_000, 40_000, 216_000));
     let all: Vec<Designed> =
         SPINDLES.iter().flat_map(|of| [RealKind::F64, RealKind::F32].map(|real| spindle(of, real))).collect();
     let requests = AtomicU64::new(0);
@@ -156,14 +164,14 @@ fn random_requests_give_the_same_bits_in_every_engine() {
             let name = format!("{} in {:?}", block.program.block, block.program.real);
             let inputs = samples(Shape::of(&block.program.inputs, block.program.real), &p, cycles);
             let expected = engine::run(Engine::Reference, designed, block, &inputs).unwrap();
-            visits_everything(&name, &expected);
+            visits_everything(&name, &expected, p.only_velocity);
             requests.fetch_add(counted(&inputs), Ordering::Relaxed);
             agree(&name, designed, block, &inputs, &expected);
         }
     });
     let requests = requests.into_inner();
     eprintln!("{requests} requests");
-    assert!(requests > 2 * cycles as u64, "{requests} in 8 runs of {cycles} cycles");
+    assert!(requests > 2 * cycles as u64, "{requests} in 12 runs of {cycles} cycles");
 }
 
 /// How many requests there are: inputs that become TRUE.
@@ -182,8 +190,8 @@ fn counted(inputs: &Samples) -> u64 {
     count
 }
 
-/// All states, and errors that stay.
-fn visits_everything(block: &str, outputs: &Samples) {
+/// All states that the spindle has, and errors that stay.
+fn visits_everything(block: &str, outputs: &Samples, only_velocity: bool) {
     let position = |name: &str| {
         outputs.shape.signals.iter().position(|signal| signal.name == name).expect("the block has the output")
     };
@@ -197,5 +205,5 @@ fn visits_everything(block: &str, outputs: &Samples) {
         }
     }
     eprintln!("{block}: cycles in each state {states:?}, with an error that stays {errors}");
-    assert!(states.iter().all(|cycles| *cycles > 0) && errors > 100);
+    assert!(states.iter().skip(if only_velocity { 2 } else { 0 }).all(|cycles| *cycles > 0) && errors > 100);
 }

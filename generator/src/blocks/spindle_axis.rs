@@ -40,7 +40,8 @@ impl BlockKind for SpindleAxis {
 
     fn purpose(&self, designed: &Designed) -> String {
         let (parts, changeover) = (axis::parts(designed), spindle::changeover(&designed.spindle));
-        format!("The whole axis of a spindle: changeover between position and velocity control, {parts}. {changeover}")
+        let parts = [vec!["changeover between position and velocity control"], parts].concat().join(", ");
+        format!("The whole axis of a spindle: {parts}. {changeover}")
     }
 
     /// The notes of its parts.

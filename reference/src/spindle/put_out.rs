@@ -26,7 +26,8 @@ pub fn put_out_motion<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &m
 #[portable]
 pub fn put_out_mode<R: Real>(coeffs: &Coeffs<R>, outputs: &mut Outputs<R>, asks_velocity: bool) {
     if coeffs.in_drive {
-        outputs.operation_mode = if asks_velocity { coeffs.velocity_mode } else { coeffs.position_mode };
+        let is_velocity = coeffs.only_velocity || asks_velocity;
+        outputs.operation_mode = if is_velocity { coeffs.velocity_mode } else { coeffs.position_mode };
     } else {
         outputs.operation_mode = 0i32;
     }

@@ -51,8 +51,8 @@ pub fn is_request<R: Real>(request: &Request<R>) -> bool {
 /// Whether the state of the changeover exists, and is that of its copy. Only at the start the block does not move the spindle:
 /// memory of zeros, without `init`, is not position control.
 #[portable]
-pub fn is_state<R: Real>(state: &State<R>) -> bool {
-    (state.control == SpindleState::Position
+pub fn is_state<R: Real>(state: &State<R>, coeffs: &Coeffs<R>) -> bool {
+    (!coeffs.only_velocity && state.control == SpindleState::Position
         || state.control == SpindleState::ToVelocity
         || state.control == SpindleState::Velocity
         || state.control == SpindleState::Brake
@@ -132,7 +132,7 @@ pub fn repair<R: Real>(
     note("memory that no cycle can have left is repaired, and the spindle stops");
     hold_counts(state);
     let is_error = may_stay(state, coeffs);
-    let is_control = is_state(state);
+    let is_control = is_state(state, coeffs);
     cycle.forgets = repair_motion(state, coeffs, inputs);
     let is_intact = is_error && is_control && !cycle.forgets && is_job && state.queued <= 4u32;
     if !is_intact {

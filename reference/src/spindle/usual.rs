@@ -43,7 +43,8 @@ pub fn asks_nothing<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
 #[portable]
 pub fn stays_in_position<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     let v_largest = if coeffs.in_drive { coeffs.v_largest } else { sample_limit() };
-    state.usual == usual_position()
+    !coeffs.only_velocity
+        && state.usual == usual_position()
         && asks_nothing(coeffs, inputs)
         && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
         && is_request(&state.present)

@@ -59,7 +59,7 @@ impl BlockKind for Axis {
     fn purpose(&self, designed: &Designed) -> String {
         format!(
             "The whole axis: {}. {}",
-            parts(designed),
+            parts(designed).join(", "),
             position_control::from_the_first_call(designed.position_control.location)
         )
     }
@@ -96,7 +96,7 @@ impl BlockKind for Axis {
 }
 
 /// The parts of the block that the axis has, in their order.
-pub(super) fn parts(designed: &Designed) -> String {
+pub(super) fn parts(designed: &Designed) -> Vec<&'static str> {
     let of: Coeffs<f64> = Axis::design(designed);
     let only_velocity = designed.spindle.only_velocity;
     let parts = [
@@ -107,8 +107,7 @@ pub(super) fn parts(designed: &Designed) -> String {
         (of.addition == Addition::Sets, "improved position control with parameter sets, whose v_add fades in"),
         (of.addition == Addition::Master, "the v_add of the gantry's master"),
     ];
-    let parts: Vec<&str> = parts.iter().filter(|(exists, _)| *exists).map(|(_, part)| *part).collect();
-    parts.join(", ")
+    parts.into_iter().filter(|(exists, _)| *exists).map(|(_, part)| part).collect()
 }
 
 /// The notes of the block with constants and of its parts.
