@@ -217,7 +217,7 @@ pub fn put_out<R: Real>(
     copy!(outputs = axis_outputs:
         v_command, v_feedforward, v_add, v_add_calculated, x_drive, manipulated_variable, additive_torque,
         additive_velocity, held, tripped);
-    // With feedforward another velocity goes out.
+    // With feedforward another velocity may go out.
     outputs.limited = if coeffs.spindle.in_drive && !coeffs.spindle.has_feedforward {
         spindle_outputs.limited || axis_outputs.limited
     } else {
@@ -365,6 +365,9 @@ pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
         open(state, coeffs, &spindle_outputs, outputs, &command);
         put_out_changeover(&spindle_outputs, outputs);
         outputs.velocity_command = spindle_outputs.velocity_command;
+        if coeffs.spindle.has_feedforward && spindle_outputs.limited {
+            outputs.limited = true;
+        }
     } else {
         note("any other cycle: requests, changes of the state, missing samples, errors");
         any_cycle(state, coeffs, inputs, &spindle_inputs, outputs);

@@ -111,7 +111,7 @@ fn neither_a_blocked_spindle_nor_a_lost_sample_nor_an_error_is_a_step_of_the_com
         (STATED, SET, "s", &[], "4\n"),
         (STATED, SET, "c", &[], "69\n"),
         (STATED, &added, "c", &[], "36\n"),
-        (STATED, &both, "s", &[], "4\n"),
+        (STATED, &both, "s", &[], "8\n"),
     ] {
         let (program, _folder) = built(source, set, axis);
         assert_eq!(said(&program, run), expected, "{axis} {run:?}");

@@ -87,7 +87,7 @@ static void turn(double velocity, double lag)
     }
 }
 
-#ifndef ADDITIVE
+#if defined IN_DRIVE || !defined ADDITIVE
 /* From there with M3 to VELOCITY. */
 static void turn_fast(void)
 {
@@ -297,7 +297,9 @@ static void keeps_lead(bool goes_off)
     cycle(0.0);
     holds(was_shared && is_kept && outputs.v_spindle > 4e5 && is_shared(0.0), "keeps", goes_off);
 }
-#else
+#endif
+
+#ifdef IN_DRIVE
 /* The velocity command is limited at the ends of INT32: 2^31 increments are 1.288e9. */
 static void limits(double velocity, bool is_limited)
 {
@@ -311,12 +313,13 @@ static void limits(double velocity, bool is_limited)
 
 int main(void)
 {
-#if defined IN_DRIVE && defined ADDITIVE
+#ifdef IN_DRIVE
+#ifdef ADDITIVE
     shares(100, false);
     shares(37, true);
     keeps_lead(false);
     keeps_lead(true);
-#elif defined IN_DRIVE
+#endif
     limits(1.288e9, false);
     limits(1.289e9, true);
     limits(-1.288e9, false);
