@@ -1,9 +1,10 @@
 //! The call rate of a spindle: an error that stays. No transition.
 
-use super::change::locate;
+use super::change::lead_time;
 use super::signals::Inputs;
 use super::start::hold_back;
 use super::state::{Coeffs, State};
+use crate::angle::position_limit;
 use crate::call_rate;
 use crate::signal::{error_call_rate, error_none, sample_limit};
 use portable::{Real, in_range, portable};
@@ -15,7 +16,13 @@ use portable::{Real, in_range, portable};
 pub fn catch_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
     if in_range(inputs.v_actual, sample_limit()) {
         hold_back(state, inputs.v_actual);
-        locate(state, coeffs, inputs);
+        if in_range(inputs.x_actual, position_limit()) {
+            let lead = lead_time(coeffs, inputs);
+            let x_caught = inputs.x_actual + state.v * lead;
+            if in_range(x_caught, position_limit()) {
+                state.x = x_caught;
+            }
+        }
     }
 }
 

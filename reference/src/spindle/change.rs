@@ -24,18 +24,6 @@ pub fn lead_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     lead
 }
 
-/// The position for which the position controller has its lag at v_spindle. Without the actual position it stays.
-#[portable]
-pub fn locate<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
-    if in_range(inputs.x_actual, position_limit()) {
-        let lead = lead_time(coeffs, inputs);
-        let x_turning = inputs.x_actual + state.v * lead;
-        if in_range(x_turning, position_limit()) {
-            state.x = x_turning;
-        }
-    }
-}
-
 /// Position control begins in the next cycle: at the actual position when the command arrives, with the lag that the
 /// controller needs for this velocity.
 #[portable]

@@ -1,6 +1,7 @@
 //! Detects corrupted memory: a state that no cycle can produce stops the spindle with an error.
 
-use super::change::locate;
+use super::change::lead_time;
+use super::motion::ahead;
 use super::request::{Job, Request};
 use super::signals::Inputs;
 use super::state::{Coeffs, Cycle, Seen, SpindleState, State};
@@ -104,7 +105,11 @@ pub fn repair_motion<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
     }
     if !is_position(state.x) {
         state.x = R::ZERO;
-        locate(state, coeffs, inputs);
+        if in_range(inputs.x_actual, position_limit()) {
+            let lead = lead_time(coeffs, inputs);
+            let x_turning = ahead(inputs.x_actual, state.v * lead);
+            state.x = x_turning;
+        }
         is_repaired = true;
     }
     if !is_position(state.x_start) {

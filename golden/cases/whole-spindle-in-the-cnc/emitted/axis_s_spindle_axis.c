@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   8a0b9bf90b2b2f2619e91970a31e3ab9
- * checksum    e92d70de817f0a6ce346ecedd1832789
+ * structure   81f66f3a2e41bef0eacbb446b238bccb
+ * checksum    3474f978a551c6de70eb91a2202d57f5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -368,10 +368,15 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             } else {
                 spindle_lead = spindle_lead_time;
             }
-            const double spindle_x_turning = inputs->x_actual + state->spindle_v * spindle_lead;
-            if (axis_s_spindle_axis_magnitude(spindle_x_turning) <= axis_s_spindle_axis_position_limit) {
-                state->spindle_x = spindle_x_turning;
+            const double spindle_way = state->spindle_v * spindle_lead;
+            double spindle_ahead;
+            if (axis_s_spindle_axis_magnitude(spindle_way) <= lead_limit) {
+                spindle_ahead = inputs->x_actual + spindle_way;
+            } else {
+                /* reached only if the block's memory was corrupted */
+                spindle_ahead = inputs->x_actual;
             }
+            state->spindle_x = spindle_ahead;
         }
         spindle_is_repaired_2 = true;
     }
@@ -680,21 +685,21 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 spindle_lead_2 = spindle_lead_time;
             }
             const double spindle_lead_shown = spindle_lead_2 - spindle_cycle_time;
-            const double spindle_way = spindle_v_shown * spindle_lead_shown;
-            double spindle_ahead;
-            if (axis_s_spindle_axis_magnitude(spindle_way) <= lead_limit) {
-                spindle_ahead = inputs->x_actual + spindle_way;
+            const double spindle_way_2 = spindle_v_shown * spindle_lead_shown;
+            double spindle_ahead_2;
+            if (axis_s_spindle_axis_magnitude(spindle_way_2) <= lead_limit) {
+                spindle_ahead_2 = inputs->x_actual + spindle_way_2;
             } else {
                 /* reached only if the block's memory was corrupted */
-                spindle_ahead = inputs->x_actual;
+                spindle_ahead_2 = inputs->x_actual;
             }
             double spindle_within_turn;
-            if (axis_s_spindle_axis_magnitude(spindle_ahead) <= axis_s_spindle_axis_below_full_turn
-                    && spindle_ahead >= 0.0) {
-                spindle_within_turn = spindle_ahead;
-            } else if (axis_s_spindle_axis_magnitude(spindle_ahead) <= axis_s_spindle_axis_counted_limit) {
-                const int32_t spindle_turns = (int32_t)(spindle_ahead * axis_s_spindle_axis_per_turn);
-                const double spindle_rest = spindle_ahead - (double)spindle_turns * axis_s_spindle_axis_full_turn;
+            if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= axis_s_spindle_axis_below_full_turn
+                    && spindle_ahead_2 >= 0.0) {
+                spindle_within_turn = spindle_ahead_2;
+            } else if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= axis_s_spindle_axis_counted_limit) {
+                const int32_t spindle_turns = (int32_t)(spindle_ahead_2 * axis_s_spindle_axis_per_turn);
+                const double spindle_rest = spindle_ahead_2 - (double)spindle_turns * axis_s_spindle_axis_full_turn;
                 double spindle_above;
                 if (spindle_rest < 0.0) {
                     spindle_above = spindle_rest + axis_s_spindle_axis_full_turn;
@@ -1032,21 +1037,21 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         } else {
             spindle_lead_3 = spindle_lead_time;
         }
-        const double spindle_way_2 = state->spindle_v * spindle_lead_3;
-        double spindle_ahead_2;
-        if (axis_s_spindle_axis_magnitude(spindle_way_2) <= lead_limit) {
-            spindle_ahead_2 = inputs->x_actual + spindle_way_2;
+        const double spindle_way_3 = state->spindle_v * spindle_lead_3;
+        double spindle_ahead_3;
+        if (axis_s_spindle_axis_magnitude(spindle_way_3) <= lead_limit) {
+            spindle_ahead_3 = inputs->x_actual + spindle_way_3;
         } else {
             /* reached only if the block's memory was corrupted */
-            spindle_ahead_2 = inputs->x_actual;
+            spindle_ahead_3 = inputs->x_actual;
         }
         double spindle_within_turn_2;
-        if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= axis_s_spindle_axis_below_full_turn
-                && spindle_ahead_2 >= 0.0) {
-            spindle_within_turn_2 = spindle_ahead_2;
-        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= axis_s_spindle_axis_counted_limit) {
-            const int32_t spindle_turns_2 = (int32_t)(spindle_ahead_2 * axis_s_spindle_axis_per_turn);
-            const double spindle_rest_2 = spindle_ahead_2 - (double)spindle_turns_2 * axis_s_spindle_axis_full_turn;
+        if (axis_s_spindle_axis_magnitude(spindle_ahead_3) <= axis_s_spindle_axis_below_full_turn
+                && spindle_ahead_3 >= 0.0) {
+            spindle_within_turn_2 = spindle_ahead_3;
+        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_3) <= axis_s_spindle_axis_counted_limit) {
+            const int32_t spindle_turns_2 = (int32_t)(spindle_ahead_3 * axis_s_spindle_axis_per_turn);
+            const double spindle_rest_2 = spindle_ahead_3 - (double)spindle_turns_2 * axis_s_spindle_axis_full_turn;
             double spindle_above_2;
             if (spindle_rest_2 < 0.0) {
                 spindle_above_2 = spindle_rest_2 + axis_s_spindle_axis_full_turn;

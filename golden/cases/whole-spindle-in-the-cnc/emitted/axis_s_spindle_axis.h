@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   8a0b9bf90b2b2f2619e91970a31e3ab9
- * checksum    b0b3d22864f19ea0e885d209f8f09000
+ * structure   81f66f3a2e41bef0eacbb446b238bccb
+ * checksum    fdd8c02cc89b6ecbdb5da143d73c3cc7
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -39,10 +39,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x8a0b9bf9u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x0b2b2f26u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x19e91970u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0xa31e3ab9u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x81f66f3au
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x2e41bef0u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0xeacbb446u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0xb238bccbu
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
