@@ -198,9 +198,9 @@ fn control(
         .as_ref()
         .and_then(|_| position_control::check(e, (&drive, cycle_time), ipc, has_feedforward, master.is_some()));
     e.block = Some(SPINDLE);
-    let is_of = [master.is_some(), ipc.is_some_and(Ipc::is_active)];
+    let [is_slave, has_stages] = [master.is_some(), ipc.is_some_and(Ipc::is_active)];
     let spindle = match changes_over {
-        true => spindle::check(e, cycle_time, &drive, has_feedforward, is_of).map(Presence::Present),
+        true => spindle::check(e, cycle_time, &drive, has_feedforward, [is_slave, has_stages]).map(Presence::Present),
         false => {
             spindle::no_changeover(e, cycle_time, axis_type, &drive);
             Some(Presence::Absent)

@@ -90,11 +90,11 @@ fn list_in(element: Node<'_, '_>, text: &str) -> Option<Range<usize>> {
 
 /// The name of the innermost element around a list that has one for an axis.
 fn name_of(element: Node<'_, '_>) -> Option<String> {
-    let names = element.ancestors().filter_map(|above| {
+    let mut names = element.ancestors().filter_map(|above| {
         let mut inside = above.children().filter(|child| child.has_tag_name("ItemName") || child.has_tag_name("Name"));
         inside.find_map(|name| name.text())
     });
-    { names }.find_map(axis_name::of_tree_item)
+    names.find_map(axis_name::of_tree_item)
 }
 
 /// The list of the axis with this name, or the only one.

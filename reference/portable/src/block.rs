@@ -72,7 +72,7 @@ pub trait Block<R: Real> {
         false
     }
 
-    /// The input that turns the block off; `None` if there is no such input.
+    /// The input that turns the block off, if the block has one.
     fn enable(coeffs: &Self::Coeffs) -> Option<Enable>;
 
     /// Uninitialised memory.

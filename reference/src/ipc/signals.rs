@@ -12,8 +12,8 @@ macro_rules! inputs {
         #[portable]
         #[derive(Clone, Copy, Debug, Default)]
         pub struct Inputs<R> {
-            /// output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]; input of SET_POINT
-            /// (P-AXIS-00753)
+            /// output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]; input of
+            /// SET_POINT (P-AXIS-00753)
             pub v_command: R,
             /// velocity of the motor encoder, v_ist1 [um/s or 0.001 deg/s]; input of DIRECT and INDIRECT (P-AXIS-00753)
             pub v_motor: R,
@@ -25,13 +25,13 @@ macro_rules! inputs {
             pub mode: i32,
             /// FALSE: the axis is not in position control: v_add is 0 at once; connect it if the axis can leave position control
             pub position_controlled: bool,
-            /// while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in; hold it while an encoder value
-            /// is set (homing)
+            /// while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in; hold it while an encoder
+            /// value is set (homing)
             pub reset: bool,
             /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
             pub task_cycle_ns: u32,
-            /// with the key cycle_counter: cycle counter of the controller; 0: unchecked, in TwinCAT the counter of the task is used;
-            /// skipped and doubled calls are a fault; the block restarts after a pause
+            /// with the key cycle_counter: cycle counter of the controller; 0: unchecked, in TwinCAT the counter of the task is
+            /// used; skipped and doubled calls are a fault; the block restarts after a pause
             pub cycle_counter: u32,
             $($more)*
         }

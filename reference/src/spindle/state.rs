@@ -43,7 +43,7 @@ pub struct Coeffs<R> {
     pub v_taken_up: R,
     /// whether the drive has no velocity control: a spindle that turns too fast is waited for
     pub only_position: bool,
-    /// whether the drive has no position control: VELOCITY replaces POSITION
+    /// whether the drive has velocity control only: VELOCITY replaces POSITION
     pub only_velocity: bool,
     /// whether the position loop is this block's: without x_actual it misses a sample
     pub closes_loop: bool,

@@ -211,7 +211,8 @@ fn docs(off: &Off) -> [&'static str; 3] {
             "TRUE: keep calling the block; it is enabled or still designs",
         ],
         Off::Brake(_) => [
-            "FALSE: acts as reset TRUE: velocity control brakes to standstill, under position control the interpolator stops; TRUE: the input reset applies",
+            "FALSE: acts as reset TRUE: velocity control brakes to standstill, under position control the interpolator stops; \
+             TRUE: the input reset applies",
             "TRUE: enabled or still braking, and no fault in this cycle; the outputs are valid in any case: do not gate them with Valid",
             "TRUE: keep calling the block; it is enabled, the spindle turns, or it is not yet back from velocity control",
         ],

@@ -11,8 +11,8 @@ use crate::parameters::words::{StageMode, Words};
 use portable::Extreme;
 use stability::MAX_MS;
 
-/// The differences: one line each for limit, start, fade and bad samples, then
-/// a line for each stage, and one for each that bears other weights.
+/// The differences: one line each for limit, start, fade and bad samples, then a line for each stage,
+/// and one for each stage that bears other weights.
 pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     let both = |value: &dyn Fn(&Designed) -> f64| [value(old), value(new)];
     let mut lines = Vec::new();

@@ -119,14 +119,14 @@ pub(crate) fn check(
     })
 }
 
-/// A gantry slave does not change over.
+/// Refuses the changeover of a gantry slave.
 fn without_gantry(e: &mut Effective<'_>) {
     let found = "a gantry slave (P-AXIS-00070) follows its master's position, and cannot change to velocity control";
     let said = Diagnostic::error(codes::GANTRY_SPINDLE, e.place_of(key(Name::GantryMaster)), found);
     e.report.push(said.instead("no gantry, or no P-AXIS-00767 and P-AXIS-00768"));
 }
 
-/// A drive with velocity control alone has no stages.
+/// Refuses stages: with velocity control alone they would never act.
 fn without_stages(e: &mut Effective<'_>) {
     let found = "improved position control has stages, and the drive has velocity control alone: Von and Voff are 0 \
                  (P-AXIS-00767, 00768)";
