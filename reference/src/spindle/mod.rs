@@ -29,7 +29,7 @@ pub use request::{Before, Job, Request};
 pub use signals::{Inputs, Outputs};
 pub use start::hold_back;
 pub use state::{Coeffs, Cycle, Seen, SpindleState, State, usual_none};
-pub use usual::{remain_in_position, remain_in_velocity, stays_in_position, stays_in_velocity};
+pub use usual::{certain_lag, is_certain, remain_in_position, remain_in_velocity, stays_in_position, stays_in_velocity};
 
 use crate::angle::wrapped;
 use crate::call_rate;
@@ -248,17 +248,13 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
 /// One cycle.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let in_position = stays_in_position(state, coeffs, inputs);
-    if in_position {
+    if stays_in_position(&*state, coeffs, inputs) {
         remain_in_position(state, coeffs, inputs, outputs);
+    } else if stays_in_velocity(&*state, coeffs, inputs) {
+        remain_in_velocity(state, coeffs, inputs, outputs);
     } else {
-        let in_velocity = stays_in_velocity(state, coeffs, inputs);
-        if in_velocity {
-            remain_in_velocity(state, coeffs, inputs, outputs);
-        } else {
-            note("any other cycle: requests, changes of the state, missing samples, errors");
-            any_cycle(state, coeffs, inputs, outputs);
-        }
+        note("any other cycle: requests, changes of the state, missing samples, errors");
+        any_cycle(state, coeffs, inputs, outputs);
     }
 }
 

@@ -51,6 +51,11 @@ pub struct Coeffs<R> {
     pub v_step: R,
     /// largest velocity below 180 deg / T, up to which a drive distinguishes the direction [0.001 deg/s]
     pub v_largest: R,
+    /// largest velocity of a usual cycle (fast path) of POSITION: below Von and v_largest, with the velocity command within its
+    /// range [0.001 deg/s]
+    pub v_usual_position: R,
+    /// largest velocity of a usual cycle (fast path) of VELOCITY: the velocity command is within its range [0.001 deg/s]
+    pub v_usual_velocity: R,
     /// lead of the position command over the actual position where position control begins [s]
     pub lead_time: R,
     /// whether the CNC's feedforward shortens that time; of a drive that controls the position, an additive velocity

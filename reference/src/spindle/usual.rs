@@ -2,21 +2,21 @@
 //! within one turn. It has the same result as `any_cycle` with fewer checks. No transition.
 
 use super::change::is_displayed;
-use super::put_out::{put_out_job, put_out_mode, put_out_motion};
+use super::put_out::{put_out_job, put_out_mode};
 use super::repair::is_request;
 use super::signals::{Inputs, Outputs};
 use super::state::{Coeffs, SpindleState, State, usual_none, usual_position, usual_velocity};
-use crate::angle::{is_within_turn, position_limit};
+use crate::angle::{full_turn, is_within_turn};
 use crate::call_rate;
-use crate::signal::{error_none, sample_limit};
-use portable::{Real, in_range, note, portable};
+use crate::signal::error_none;
+use portable::{Real, in_range, nearest, note, portable};
 
 /// The code of the usual cycle that may be next: that of a state without a transition.
 #[portable]
 pub fn next_usual<R: Real>(state: &State<R>) -> u32 {
     let is_quiet =
         state.lasting_error == error_none() && state.queued == 0u32 && !state.before.any && !state.takes_over;
-    if is_quiet && state.control == SpindleState::Position && !state.turns_fast {
+    if is_quiet && state.control == SpindleState::Position {
         usual_position()
     } else if is_quiet && state.control == SpindleState::Velocity && !state.returns {
         usual_velocity()
@@ -28,7 +28,8 @@ pub fn next_usual<R: Real>(state: &State<R>) -> u32 {
 /// Whether no input requests a change.
 #[portable]
 pub fn asks_nothing<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
-    !inputs.m3
+    (inputs.task_cycle_ns == 0u32 || inputs.task_cycle_ns == coeffs.cycle_time_ns)
+        && !inputs.m3
         && !inputs.m4
         && !inputs.m5
         && !inputs.m19
@@ -36,21 +37,34 @@ pub fn asks_nothing<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
         && !inputs.g74
         && inputs.drive_on
         && !inputs.reset
-        && (inputs.task_cycle_ns == 0u32 || inputs.task_cycle_ns == coeffs.cycle_time_ns)
+}
+
+/// Up to this angle the lag is certain, whatever the previous one was: from the largest lag it would take more than 130 deg in a
+/// cycle to be here the other way round [0.001 deg]
+#[portable]
+pub fn certain_lag<R: Real>() -> R {
+    R::lit(60_000.0)
+}
+
+/// Whether the lag of two positions is certain. One of them may have passed 0.
+#[portable]
+pub fn is_certain<R: Real>(x_command: R, x_actual: R) -> bool {
+    in_range(x_command - x_actual, certain_lag())
+        || in_range(x_command - x_actual - full_turn(), certain_lag())
+        || in_range(x_command - x_actual + full_turn(), certain_lag())
 }
 
 /// Whether the interpolator moves the spindle under position control, and continues to do so.
 #[portable]
 pub fn stays_in_position<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
-    let v_largest = if coeffs.in_drive { coeffs.v_largest } else { sample_limit() };
     !coeffs.only_velocity
         && state.usual == usual_position()
         && asks_nothing(coeffs, inputs)
         && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
         && is_request(&state.present)
-        && in_range(inputs.v_interpolator, v_largest)
+        && in_range(inputs.v_interpolator, coeffs.v_usual_position)
         && is_within_turn(inputs.x_command)
-        && (!coeffs.closes_loop || in_range(inputs.x_actual, position_limit()))
+        && (!coeffs.closes_loop || is_certain(inputs.x_command, inputs.x_actual))
         && is_displayed(coeffs, inputs, coeffs.position_mode)
 }
 
@@ -61,7 +75,7 @@ pub fn stays_in_velocity<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: 
         && asks_nothing(coeffs, inputs)
         && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
         && is_request(&state.present)
-        && in_range(inputs.v_interpolator, sample_limit())
+        && in_range(inputs.v_interpolator, coeffs.v_usual_velocity)
         && is_within_turn(inputs.x_actual)
         && is_displayed(coeffs, inputs, coeffs.velocity_mode)
 }
@@ -102,10 +116,18 @@ pub fn remain_in_velocity<R: Real>(
     outputs.loop_closed = false;
 }
 
-/// The outputs of both usual cycles.
+/// The outputs of both usual cycles. The velocity command is within its range.
 #[portable]
 pub fn put_out<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>) {
-    put_out_motion(state, coeffs, outputs);
+    outputs.x_spindle = state.x;
+    outputs.v_spindle = state.v;
+    if coeffs.in_drive {
+        let velocity_increments = coeffs.velocity_scale * state.v;
+        outputs.velocity_command = nearest(velocity_increments);
+    } else {
+        outputs.velocity_command = 0i32;
+    }
+    outputs.limited = false;
     put_out_job(state, outputs);
     outputs.waiting = 0u32;
     outputs.error_id = error_none();

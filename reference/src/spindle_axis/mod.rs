@@ -21,9 +21,9 @@ pub(crate) use signals::{inputs, outputs};
 use crate::angle::{full_turn, shortest};
 use crate::position_control::Location;
 use crate::signal::{error_lag, error_none, error_unstable, sample_limit};
-use crate::spindle::SpindleState;
+use crate::spindle::{SpindleState, certain_lag, is_certain};
 use crate::{axis, ipc, position_control, process_data, spindle};
-use portable::{Block, Enable, Real, copy, from_u32, in_range, note, portable, within};
+use portable::{Block, Enable, Real, copy, from_u32, in_range, nearest, note, portable, within};
 
 /// Coefficients.
 #[portable]
@@ -88,13 +88,6 @@ pub fn lag_limit<R: Real>() -> R {
     R::lit(170_000.0)
 }
 
-/// Up to this lag the difference of the positions is the lag, whatever the previous one was: from `lag_limit` it would take
-/// more than 130 deg in a cycle to be here the other way round [0.001 deg]
-#[portable]
-pub fn certain_lag<R: Real>() -> R {
-    R::lit(60_000.0)
-}
-
 /// half a turn [0.001 deg]
 #[portable]
 pub fn half_turn<R: Real>() -> R {
@@ -129,17 +122,47 @@ pub fn continued<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, difference: R, m
     lag
 }
 
+/// The lag of two positions with this difference, if it is certain.
+#[portable]
+pub fn angle<R: Real>(difference: R) -> R {
+    if within(difference, certain_lag()) {
+        difference
+    } else if difference > R::ZERO {
+        difference - full_turn()
+    } else {
+        difference + full_turn()
+    }
+}
+
+/// The lag in any cycle. `missed` samples were missing before it, after the velocity `v_missed`.
+#[portable]
+pub fn lag_of<R: Real>(
+    state: &State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    x_spindle: R,
+    missed: u32,
+    v_missed: R,
+) -> R {
+    if missed == 0u32 && is_certain(x_spindle, inputs.x_actual) {
+        angle(x_spindle - inputs.x_actual)
+    } else {
+        continued(state, coeffs, x_spindle - inputs.x_actual, missed, v_missed)
+    }
+}
+
 /// The lag is near half a turn: the error stays, the loop opens in the next cycle, and the spindle brakes.
 #[portable]
-pub fn give_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+pub fn give_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>) {
     let v_whole = held::whole(&state.held, coeffs);
     spindle::hold_back(&mut state.spindle, v_whole);
     state.spindle.lasting_error = error_lag();
     state.spindle.usual = spindle::usual_none();
+    outputs.error_id = error_lag();
+    outputs.fault = true;
 }
 
-/// The axis follows the spindle's commands. `missed`: samples that were missing before this cycle, after the velocity `v_missed`.
-/// Returns whether the lag is near half a turn.
+/// The axis follows the spindle's commands.
 #[portable]
 pub fn act<R: Real>(
     state: &mut State<R>,
@@ -147,18 +170,11 @@ pub fn act<R: Real>(
     inputs: &Inputs<R>,
     spindle_outputs: &spindle::Outputs<R>,
     axis_outputs: &mut axis::Outputs<R>,
-    missed: u32,
-    v_missed: R,
-) -> bool {
+    lag: R,
+) {
     let mut axis_inputs = axis::Inputs::<R>::default();
     axis_inputs.x_command = spindle_outputs.x_spindle;
-    let mut gives_up = false;
     if coeffs.axis.position_control.location == Location::Cnc {
-        let mut lag = spindle_outputs.x_spindle - inputs.x_actual;
-        if missed > 0u32 || !within(lag, certain_lag()) {
-            lag = continued(state, coeffs, lag, missed, v_missed);
-            gives_up = !within(lag, lag_limit());
-        }
         state.lag_before = lag;
         axis_inputs.following_error = lag;
         axis_inputs.x_actual = spindle_outputs.x_spindle - lag;
@@ -173,7 +189,6 @@ pub fn act<R: Real>(
     let improves = spindle_outputs.loop_closed && !inputs.reset;
     let v_additive = axis::act(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, improves);
     held::keep(&mut state.held, coeffs, axis_outputs.v_command, v_additive);
-    gives_up
 }
 
 /// Writes the outputs of the changeover.
@@ -233,19 +248,22 @@ pub fn tell_trip<R: Real>(coeffs: &Coeffs<R>, axis_outputs: &axis::Outputs<R>, o
     }
 }
 
-/// The drive gets only a velocity: that of the spindle, or while a sample is missing the last one.
+/// The position loop is open: the axis only follows the position of the spindle.
 #[portable]
-pub fn open<R: Real>(
+pub fn follow<R: Real>(
     state: &mut State<R>,
     coeffs: &Coeffs<R>,
     spindle_outputs: &spindle::Outputs<R>,
-    outputs: &mut Outputs<R>,
-    command: &Command<R>,
+    axis_outputs: &mut axis::Outputs<R>,
 ) {
-    let mut axis_outputs = axis::Outputs::<R>::default();
     let mut axis_inputs = axis::Inputs::<R>::default();
     axis_inputs.x_command = spindle_outputs.x_spindle;
-    axis::follow(&mut state.axis, &coeffs.axis, &axis_inputs, &mut axis_outputs, error_none());
+    axis::follow(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, error_none());
+}
+
+/// The velocity of an open loop, as process data.
+#[portable]
+pub fn command_velocity<R: Real>(coeffs: &Coeffs<R>, command: &Command<R>, axis_outputs: &mut axis::Outputs<R>) {
     let mut control_outputs = position_control::Outputs::<R>::default();
     if is_in_cnc(coeffs) {
         axis_outputs.v_command = command.v_command;
@@ -265,10 +283,53 @@ pub fn open<R: Real>(
         );
     }
     axis_outputs.limited = control_outputs.limited;
-    put_out(coeffs, spindle_outputs, &axis_outputs, outputs);
+}
+
+/// Writes the outputs of an open loop.
+#[portable]
+pub fn put_out_open<R: Real>(
+    coeffs: &Coeffs<R>,
+    spindle_outputs: &spindle::Outputs<R>,
+    axis_outputs: &axis::Outputs<R>,
+    outputs: &mut Outputs<R>,
+) {
+    put_out(coeffs, spindle_outputs, axis_outputs, outputs);
     outputs.error_id = spindle_outputs.error_id;
     outputs.fault = spindle_outputs.error_id != error_none();
-    tell_trip(coeffs, &axis_outputs, outputs);
+    tell_trip(coeffs, axis_outputs, outputs);
+}
+
+/// The drive gets only a velocity: that of the spindle, or while a sample is missing the last one.
+#[portable]
+pub fn open<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    spindle_outputs: &spindle::Outputs<R>,
+    outputs: &mut Outputs<R>,
+    command: &Command<R>,
+) {
+    let mut axis_outputs = axis::Outputs::<R>::default();
+    follow(state, coeffs, spindle_outputs, &mut axis_outputs);
+    command_velocity(coeffs, command, &mut axis_outputs);
+    put_out_open(coeffs, spindle_outputs, &axis_outputs, outputs);
+}
+
+/// The usual cycle of VELOCITY: the drive gets only the velocity of the spindle, which is within its range.
+#[portable]
+pub fn remain_open<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    spindle_outputs: &spindle::Outputs<R>,
+    outputs: &mut Outputs<R>,
+) {
+    let mut axis_outputs = axis::Outputs::<R>::default();
+    follow(state, coeffs, spindle_outputs, &mut axis_outputs);
+    if is_in_cnc(coeffs) {
+        axis_outputs.v_command = spindle_outputs.v_spindle;
+        let open_increments = coeffs.axis.position_control.manipulated_scale * spindle_outputs.v_spindle;
+        axis_outputs.manipulated_variable = nearest(open_increments);
+    }
+    put_out_open(coeffs, spindle_outputs, &axis_outputs, outputs);
 }
 
 /// Under position control: the axis acts.
@@ -279,17 +340,12 @@ pub fn close<R: Real>(
     inputs: &Inputs<R>,
     spindle_outputs: &spindle::Outputs<R>,
     outputs: &mut Outputs<R>,
-    missed: u32,
-    v_missed: R,
+    lag: R,
 ) {
     let mut axis_outputs = axis::Outputs::<R>::default();
-    let gives_up = act(state, coeffs, inputs, spindle_outputs, &mut axis_outputs, missed, v_missed);
+    act(state, coeffs, inputs, spindle_outputs, &mut axis_outputs, lag);
     put_out(coeffs, spindle_outputs, &axis_outputs, outputs);
-    let mut error_now = if axis_outputs.fault { axis_outputs.error_id } else { spindle_outputs.error_id };
-    if gives_up {
-        give_up(state, coeffs);
-        error_now = error_lag();
-    }
+    let error_now = if axis_outputs.fault { axis_outputs.error_id } else { spindle_outputs.error_id };
     outputs.error_id = error_now;
     outputs.fault = error_now != error_none();
     if coeffs.axis.ipc.tuning.active && error_now == error_none() {
@@ -324,7 +380,14 @@ pub fn any_cycle<R: Real>(
     // the state is TO_POSITION.
     let is_position = follows && !has_failed && (is_in_cnc(coeffs) || inputs.drive_on);
     if is_position && state.spindle.missing == 0u32 {
-        close(state, coeffs, inputs, &spindle_outputs, outputs, missed, v_missed);
+        let mut lag = R::ZERO;
+        if is_in_cnc(coeffs) {
+            lag = lag_of(state, coeffs, inputs, spindle_outputs.x_spindle, missed, v_missed);
+        }
+        close(state, coeffs, inputs, &spindle_outputs, outputs, lag);
+        if is_in_cnc(coeffs) && !within(lag, lag_limit()) {
+            give_up(state, coeffs, outputs);
+        }
         put_out_velocity(coeffs, &spindle_outputs, outputs, state.held.v_additive);
     } else {
         let mut command = Command::<R>::default();
@@ -348,26 +411,25 @@ pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
     let mut spindle_inputs = spindle::Inputs::<R>::default();
     read(&mut spindle_inputs, inputs);
     let improves = axis::improves(&coeffs.axis);
-    let in_position = spindle::stays_in_position(&state.spindle, &coeffs.spindle, &spindle_inputs)
+    if spindle::stays_in_position(&state.spindle, &coeffs.spindle, &spindle_inputs)
         && (!improves
-            || ipc::is_settled(&state.axis.ipc, &coeffs.axis.ipc, inputs.mode, inputs.v_motor, inputs.v_direct));
-    if in_position {
+            || ipc::is_settled(&state.axis.ipc, &coeffs.axis.ipc, inputs.mode, inputs.v_motor, inputs.v_direct))
+    {
         let mut spindle_outputs = spindle::Outputs::<R>::default();
         spindle::remain_in_position(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);
-        close(state, coeffs, inputs, &spindle_outputs, outputs, 0u32, R::ZERO);
+        let mut lag = R::ZERO;
+        if is_in_cnc(coeffs) {
+            lag = angle(spindle_outputs.x_spindle - inputs.x_actual);
+        }
+        close(state, coeffs, inputs, &spindle_outputs, outputs, lag);
         put_out_changeover(&spindle_outputs, outputs);
         put_out_velocity(coeffs, &spindle_outputs, outputs, state.held.v_additive);
     } else if spindle::stays_in_velocity(&state.spindle, &coeffs.spindle, &spindle_inputs) {
         let mut spindle_outputs = spindle::Outputs::<R>::default();
         spindle::remain_in_velocity(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);
-        let mut command = Command::<R>::default();
-        command.v_command = spindle_outputs.v_spindle;
-        open(state, coeffs, &spindle_outputs, outputs, &command);
+        remain_open(state, coeffs, &spindle_outputs, outputs);
         put_out_changeover(&spindle_outputs, outputs);
         outputs.velocity_command = spindle_outputs.velocity_command;
-        if coeffs.spindle.has_feedforward && spindle_outputs.limited {
-            outputs.limited = true;
-        }
     } else {
         note("any other cycle: requests, changes of the state, missing samples, errors");
         any_cycle(state, coeffs, inputs, &spindle_inputs, outputs);

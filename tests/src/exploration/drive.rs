@@ -72,6 +72,8 @@ pub fn coefficients(in_drive: bool, v_off: f64, v_step: f64) -> Coeffs<f64> {
         v_taken_up: v_off + U / 4.0,
         v_step,
         v_largest: 180_000.0_f64.next_down(),
+        v_usual_position: V_ON.next_down(),
+        v_usual_velocity: 127.0 * GRAIN,
         lead_time: 3.0,
         takeover_window: U / 2.0,
         mode_cycles: MODE_CYCLES,

@@ -144,8 +144,9 @@ static const struct {
     { 0.0, -1e7, 1, 159.0, 159.0 }, { 0.0, 1e7, 2, -151.0, GIVEN_UP }, { 0.0, 1e7, 2, -149.0, -149.0 },
     { 0.0, 1e7, 3, -141.0, GIVEN_UP }, { 0.0, 1e7, 3, -139.0, -139.0 }, { 100.0, 1e6, 0, -81.0, GIVEN_UP },
     { 100.0, 1e6, 0, -79.0, -79.0 }, { -100.0, -1e6, 0, 81.0, GIVEN_UP }, { -100.0, -1e6, 0, 79.0, 79.0 },
-    /* Up to 60 deg, and without a lost sample, the difference is the lag. */
+    /* Up to 60 deg, and without a lost sample, the angle between the positions is the lag, of whichever turn it is. */
     { 160.0, 1e6, 0, -59.0, -59.0 }, { 160.0, 1e6, 0, -61.0, GIVEN_UP }, { 160.0, 1e6, 1, -59.0, GIVEN_UP },
+    { 160.0, 1e6, 0, 301.0, -59.0 }, { 160.0, 1e6, 0, 299.0, GIVEN_UP }, { -160.0, -1e6, 0, -301.0, 59.0 },
     /* Up to 170 deg it is no error; the raw difference may be that of another turn. */
     { 160.0, 1e6, 0, 169.0, 169.0 }, { 160.0, 1e6, 0, 171.0, GIVEN_UP }, { 160.0, 1e6, 0, -191.0, 169.0 },
     { -160.0, -1e6, 0, -171.0, GIVEN_UP },

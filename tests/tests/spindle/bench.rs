@@ -69,6 +69,8 @@ impl Bench {
             v_taken_up: V_OFF + V_WINDOW,
             v_step: V_STEP,
             v_largest: (180_000.0 / T).next_down(),
+            v_usual_position: V_ON.next_down(),
+            v_usual_velocity: f64::from(i32::MAX),
             lead_time: LEAD_TIME,
             takeover_window: WINDOW,
             mode_cycles: MODE_CYCLES,

@@ -1,7 +1,8 @@
 //! Conditions as numbers: equal conditions have equal numbers, so that facts about them are cheap to copy and compare.
 
+use crate::arithmetic;
 use crate::program::{Constant, Expr, Program, Table, Var};
-use portable::{Binary, Literal, Unary};
+use portable::{Binary, Intrinsic, Literal, Unary};
 
 /// The number of a condition.
 pub(super) type Id = usize;
@@ -21,7 +22,16 @@ pub(super) enum Condition {
 pub(super) struct Question {
     pub expr: Expr,
     pub comparison: Option<Comparison>,
+    bound: Option<Bound>,
     id: Id,
+}
+
+/// Whether the magnitude of a real is at most a known number.
+#[derive(Clone, Copy)]
+struct Bound {
+    /// the real, by the first question about it
+    of: usize,
+    limit: f64,
 }
 
 /// The comparison of an integer variable with a known number.
@@ -86,7 +96,8 @@ impl<'p> Conditions<'p> {
     fn ask(&mut self, question: &Expr) -> Id {
         let (id, comparison) = (self.all.len(), self.comparison(question));
         self.all.push(Condition::Question(self.questions.len()));
-        self.questions.push(Question { expr: question.clone(), comparison, id });
+        let bound = self.bound(question);
+        self.questions.push(Question { expr: question.clone(), comparison, bound, id });
         question.variables(&mut |var| self.asked[var] = true);
         id
     }
@@ -152,6 +163,26 @@ impl<'p> Conditions<'p> {
         Some(Comparison { var, answer: *operator != NotEqual, within, full })
     }
 
+    /// The bound of a magnitude, if the question asks for it.
+    fn bound(&self, question: &Expr) -> Option<Bound> {
+        let [real, limit] = magnitude(question)?;
+        let limit = arithmetic::wide(limit.known(self.constants)?)?;
+        let same = |known: &Question| magnitude(&known.expr).is_some_and(|[of, _]| of == real);
+        let of = self.questions.iter().position(same).unwrap_or(self.questions.len());
+        Some(Bound { of, limit })
+    }
+
+    /// Whether the answer to one question implies the same answer to another one: the same, or another bound of the same magnitude.
+    pub(super) fn implies(&self, known: usize, holds: bool, question: usize) -> bool {
+        known == question
+            || match (self.questions[known].bound, self.questions[question].bound) {
+                (Some(one), Some(other)) if one.of == other.of => {
+                    if holds { one.limit <= other.limit } else { one.limit >= other.limit }
+                }
+                _ => false,
+            }
+    }
+
     /// A known integer, with the smallest and the largest value of its type.
     pub(super) fn integer(&self, expr: &Expr) -> Option<(i64, (i64, i64))> {
         match expr.known(self.constants)? {
@@ -159,5 +190,13 @@ impl<'p> Conditions<'p> {
             Literal::U32(value) => Some((value.into(), (0, u32::MAX.into()))),
             _ => None,
         }
+    }
+}
+
+/// The real and the limit of a question about a magnitude. A NaN is within no limit.
+fn magnitude(question: &Expr) -> Option<[&Expr; 2]> {
+    match question {
+        Expr::Intrinsic(Intrinsic::InRange | Intrinsic::Within, operands) => Some([&operands[0], &operands[1]]),
+        _ => None,
     }
 }

@@ -175,7 +175,7 @@ impl Facts {
             Condition::Known(value) => return Some(value),
             Condition::Question(index) => match &conditions.questions[index].comparison {
                 Some(comparison) => return self.compare(comparison),
-                None => self.answers.iter().find(|(known, _)| *known == index),
+                None => self.answers.iter().find(|(known, holds)| conditions.implies(*known, *holds, index)),
             },
             _ => self.open.iter().find(|(open, _)| *open == id),
         };

@@ -140,15 +140,31 @@ impl Walk<'_> {
                 Value::Real(interval) => self.restrict(operand, Value::Real(interval.negated())),
                 _ => true,
             },
-            Expr::Binary(Binary::Add | Binary::Subtract | Binary::Multiply, left, right) if matches!(to, Value::Real(interval) if interval.is_finite()) =>
+            Expr::Binary(operator @ (Binary::Add | Binary::Subtract | Binary::Multiply), left, right) if matches!(to, Value::Real(interval) if interval.is_finite()) =>
             {
-                // A finite result excludes an infinity or NaN as an operand.
-                let finite = Value::Real(Interval::finite(self.program.real));
+                let Value::Real(result) = to else { return true };
                 !self.value(expr).meet(to, &self.known.names).is_none()
-                    && self.restrict(left, finite)
-                    && self.restrict(right, finite)
+                    && self.restrict_operands(*operator, left, right, result)
             }
             _ => !self.value(expr).meet(to, &self.known.names).is_none(),
         }
+    }
+
+    /// An operation has one of these finite results only: that excludes an infinity or NaN as an operand, and of a sum or difference
+    /// limits each operand by the other one.
+    fn restrict_operands(&mut self, operator: Binary, left: &Expr, right: &Expr, result: Interval) -> bool {
+        let kind = self.program.real;
+        let finite = Value::Real(Interval::finite(kind));
+        if !(self.restrict(left, finite) && self.restrict(right, finite)) {
+            return false;
+        }
+        let (a, b, exact) = (self.interval(left), self.interval(right), result.before_rounding(kind));
+        let (left_is, right_is) = match operator {
+            Binary::Add => (real::binary(Binary::Subtract, exact, b, kind), real::binary(Binary::Subtract, exact, a, kind)),
+            Binary::Subtract => (real::binary(Binary::Add, exact, b, kind), real::binary(Binary::Subtract, a, exact, kind)),
+            _ => return true,
+        };
+        self.restrict(left, Value::Real(left_is.before_rounding(kind)))
+            && self.restrict(right, Value::Real(right_is.before_rounding(kind)))
     }
 }

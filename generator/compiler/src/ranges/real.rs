@@ -70,6 +70,13 @@ impl Interval {
         Self { low: -self.high, high: -self.low, nan: self.nan }
     }
 
+    /// The numbers that are rounded into the interval. Some machines also round a subnormal number to 0.
+    pub(super) fn before_rounding(self, kind: RealKind) -> Self {
+        let least = least_normal(kind);
+        let up_from = |bound: f64| if bound.abs() <= least { least } else { above(bound, kind) };
+        Self { low: -up_from(-self.low), high: up_from(self.high), nan: self.nan }
+    }
+
     fn has_infinity(self) -> bool {
         self.has_number() && (self.low == f64::NEG_INFINITY || self.high == f64::INFINITY)
     }
@@ -93,10 +100,7 @@ pub(super) fn binary(operator: Binary, a: Interval, b: Interval, kind: RealKind)
         _ => panic!("ranges: {operator:?} of two reals gives no real"),
     };
     // Some machines treat subnormal numbers as 0.
-    let least = match kind {
-        RealKind::F64 => f64::MIN_POSITIVE,
-        RealKind::F32 => f32::MIN_POSITIVE.into(),
-    };
+    let least = least_normal(kind);
     Interval {
         low: if result.low > 0.0 && result.low < least { 0.0 } else { result.low },
         high: if result.high < 0.0 && result.high > -least { 0.0 } else { result.high },
@@ -150,6 +154,14 @@ pub(super) fn rounded(operator: Binary, a: f64, b: f64, kind: RealKind) -> f64 {
     match kind {
         RealKind::F64 => of::<f64>(operator, a, b),
         RealKind::F32 => of::<f32>(operator, a, b),
+    }
+}
+
+/// The smallest positive number that is not subnormal.
+fn least_normal(kind: RealKind) -> f64 {
+    match kind {
+        RealKind::F64 => f64::MIN_POSITIVE,
+        RealKind::F32 => f32::MIN_POSITIVE.into(),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::limits::window;
 use crate::axis::{Axis, Changeover, Spindle};
-use crate::design::rounding::sample_limit;
+use crate::design::rounding::{in_precision, sample_limit};
 use crate::design::scale;
 use portable::Extreme;
 use reference::call_rate;
@@ -10,6 +10,9 @@ use reference::spindle::Coeffs;
 
 /// Half a turn [0.001 deg].
 const HALF_TURN: f64 = 180_000.0;
+
+/// Leaves a margin for roundings, in either precision.
+const ROUNDING: f64 = 1.0 - 1.0 / 1_048_576.0;
 
 /// Number of extra cycles of the test of a spindle whose drive is switched on.
 const START: u32 = 2;
@@ -41,6 +44,8 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
         v_taken_up: off + window,
         v_step: of.deceleration * cycle_time,
         v_largest: v_largest(axis),
+        v_usual_position: usual_position(of, axis),
+        v_usual_velocity: usual_velocity(of, axis),
         lead_time: f64::from(of.delay_cycles + 1) * cycle_time + lag,
         takeover_window: of.takeover_window,
         takeover_way: of.deceleration * cycle_time * cycle_time / 2.0,
@@ -83,6 +88,24 @@ pub(crate) fn weight(of: &Spindle) -> f64 {
 /// The largest velocity at which a drive can detect the direction [0.001 deg/s].
 pub(crate) fn v_largest(axis: &Axis) -> f64 {
     scale::below(half_turn(axis), axis.real).smaller(sample_limit(axis.real))
+}
+
+/// The largest velocity of a usual cycle of VELOCITY [0.001 deg/s]: the velocity command is within its range, also after rounding.
+fn usual_velocity(of: &Spindle, axis: &Axis) -> f64 {
+    let (scale, width) = match (&of.drive, &axis.control.position_control) {
+        (Changeover::Drive { velocity, .. }, _) => (scale::velocity(velocity, axis.cycle_time_ns), velocity.width),
+        (Changeover::Cnc, Some(control)) => (scale::manipulated(control.multi_gain), control.command),
+        (Changeover::Cnc, None) => return sample_limit(axis.real),
+    };
+    let largest = scale::range(width, axis.real).upper_limit / scale;
+    (largest * ROUNDING).smaller(sample_limit(axis.real))
+}
+
+/// The largest velocity of a usual cycle of POSITION [0.001 deg/s]: no transition is due, and a drive can detect the direction.
+fn usual_position(of: &Spindle, axis: &Axis) -> f64 {
+    let on = in_precision(f64::from(of.v_velocity_control_on), axis.real);
+    let below_on = if of.only_velocity() { 0.0 } else { scale::below(on, axis.real) };
+    below_on.smaller(v_largest(axis)).smaller(usual_velocity(of, axis))
 }
 
 /// The velocity from which a drive cannot detect the direction [0.001 deg/s].

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   81f66f3a2e41bef0eacbb446b238bccb
- * checksum    3474f978a551c6de70eb91a2202d57f5
+ * structure   039a7992dbead31b59ebc3cae3413126
+ * checksum    47dd525ee31fc3fc868be69a86e99838
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -129,28 +129,20 @@ static const double axis_s_spindle_axis_manipulated_range_lower_limit = -2147483
 static const double axis_s_spindle_axis_manipulated_range_upper_limit = 2147483647.4999998;
 
 /* constants that do not depend on the axis */
-/* largest magnitude of a sample in range, far above any real signal; NaN and infinity are out of range */
-static const double axis_s_spindle_axis_sample_limit = 1000000000000000.0;
 /* the usual cycle (fast path) of POSITION may be next; the codes differ in several bits, so that a flipped bit
  * is detected */
 static const uint32_t axis_s_spindle_axis_usual_position = 21845u;
+/* largest magnitude of a sample in range, far above any real signal; NaN and infinity are out of range */
+static const double axis_s_spindle_axis_sample_limit = 1000000000000000.0;
 /* largest magnitude of a position in range: its number of turns fits in 32 bits */
 static const double axis_s_spindle_axis_position_limit = 700000000000000.0;
 static const double axis_s_spindle_axis_below_full_turn = 359999.99999999994; /* largest angle below a full turn [0.001 deg] */
-/* Up to this lag the difference of the positions is the lag, whatever the previous one was: from `lag_limit` it
- * would take more than 130 deg in a cycle to be here the other way round [0.001 deg] */
+/* Up to this angle the lag is certain, whatever the previous one was: from the largest lag it would take more
+ * than 130 deg in a cycle to be here the other way round [0.001 deg] */
 static const double axis_s_spindle_axis_certain_lag = 60000.0;
-static const double axis_s_spindle_axis_half_turn = 180000.0; /* half a turn [0.001 deg] */
-/* largest magnitude of an angle whose turns are counted: more than half a turn above the position limit */
-static const double axis_s_spindle_axis_counted_limit = 710000000000000.0;
-static const double axis_s_spindle_axis_per_turn = 2.777777777777778e-6; /* 1 / full_turn */
 static const double axis_s_spindle_axis_full_turn = 360000.0; /* a full turn [0.001 deg] */
-/* largest position lag of a loop in the CNC: above half a turn the loop would turn the spindle the other way
- * [0.001 deg] */
-static const double axis_s_spindle_axis_lag_limit = 170000.0;
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double axis_s_spindle_axis_anti_denormal = 1.0e-30;
-static const uint32_t axis_s_spindle_axis_usual_none = 0u; /* no usual cycle (fast path) is next */
 static const uint32_t axis_s_spindle_axis_usual_velocity = 43690u; /* the usual cycle (fast path) of VELOCITY may be next */
 
 AXGEN_CODE_SECTION void axis_s_spindle_axis_init(axis_s_spindle_axis_state *fresh)
@@ -289,6 +281,14 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     static const uint32_t largest_count = 4000000000u; /* upper bound of the cycle count of a state, above any permitted time */
     /* largest lead of the position command, above the need of any spindle [0.001 deg] */
     static const double lead_limit = 1000000000.0;
+    /* largest magnitude of an angle whose turns are counted: more than half a turn above the position limit */
+    static const double counted_limit = 710000000000000.0;
+    static const double per_turn = 2.777777777777778e-6; /* 1 / full_turn */
+    static const uint32_t usual_none = 0u; /* no usual cycle (fast path) is next */
+    static const double half_turn = 180000.0; /* half a turn [0.001 deg] */
+    /* largest position lag of a loop in the CNC: above half a turn the loop would turn the spindle the other way
+     * [0.001 deg] */
+    static const double lag_limit = 170000.0;
 
     /* any other cycle: requests, changes of the state, missing samples, errors */
     uint32_t missed;
@@ -697,8 +697,8 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= axis_s_spindle_axis_below_full_turn
                     && spindle_ahead_2 >= 0.0) {
                 spindle_within_turn = spindle_ahead_2;
-            } else if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= axis_s_spindle_axis_counted_limit) {
-                const int32_t spindle_turns = (int32_t)(spindle_ahead_2 * axis_s_spindle_axis_per_turn);
+            } else if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= counted_limit) {
+                const int32_t spindle_turns = (int32_t)(spindle_ahead_2 * per_turn);
                 const double spindle_rest = spindle_ahead_2 - (double)spindle_turns * axis_s_spindle_axis_full_turn;
                 double spindle_above;
                 if (spindle_rest < 0.0) {
@@ -774,9 +774,8 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                     const double spindle_distance =
                         inputs->x_command - (state->spindle_x + state->spindle_v * spindle_cycle_time);
                     double spindle_shorter;
-                    if (axis_s_spindle_axis_magnitude(spindle_distance) <= axis_s_spindle_axis_counted_limit) {
-                        const int32_t spindle_whole_turns =
-                            axis_s_spindle_axis_nearest(spindle_distance * axis_s_spindle_axis_per_turn);
+                    if (axis_s_spindle_axis_magnitude(spindle_distance) <= counted_limit) {
+                        const int32_t spindle_whole_turns = axis_s_spindle_axis_nearest(spindle_distance * per_turn);
                         spindle_shorter =
                             spindle_distance - (double)spindle_whole_turns * axis_s_spindle_axis_full_turn;
                     } else {
@@ -1003,19 +1002,19 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         }
     }
     if (spindle_holds_back) {
-        double spindle_v_low_2;
-        double spindle_v_high_2;
+        double spindle_v_low;
+        double spindle_v_high;
         if (spindle_v_turning < 0.0) {
-            spindle_v_low_2 = spindle_v_turning;
-            spindle_v_high_2 = 0.0;
+            spindle_v_low = spindle_v_turning;
+            spindle_v_high = 0.0;
         } else {
-            spindle_v_low_2 = 0.0;
-            spindle_v_high_2 = spindle_v_turning;
+            spindle_v_low = 0.0;
+            spindle_v_high = spindle_v_turning;
         }
-        if (state->spindle_v > spindle_v_high_2) {
-            state->spindle_v = spindle_v_high_2;
-        } else if (state->spindle_v < spindle_v_low_2) {
-            state->spindle_v = spindle_v_low_2;
+        if (state->spindle_v > spindle_v_high) {
+            state->spindle_v = spindle_v_high;
+        } else if (state->spindle_v < spindle_v_low) {
+            state->spindle_v = spindle_v_low;
         } else {
             /* no action */
         }
@@ -1049,8 +1048,8 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         if (axis_s_spindle_axis_magnitude(spindle_ahead_3) <= axis_s_spindle_axis_below_full_turn
                 && spindle_ahead_3 >= 0.0) {
             spindle_within_turn_2 = spindle_ahead_3;
-        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_3) <= axis_s_spindle_axis_counted_limit) {
-            const int32_t spindle_turns_2 = (int32_t)(spindle_ahead_3 * axis_s_spindle_axis_per_turn);
+        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_3) <= counted_limit) {
+            const int32_t spindle_turns_2 = (int32_t)(spindle_ahead_3 * per_turn);
             const double spindle_rest_2 = spindle_ahead_3 - (double)spindle_turns_2 * axis_s_spindle_axis_full_turn;
             double spindle_above_2;
             if (spindle_rest_2 < 0.0) {
@@ -1080,8 +1079,8 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     double spindle_within_turn_3;
     if (axis_s_spindle_axis_magnitude(spindle_angle) <= axis_s_spindle_axis_below_full_turn && spindle_angle >= 0.0) {
         spindle_within_turn_3 = spindle_angle;
-    } else if (axis_s_spindle_axis_magnitude(spindle_angle) <= axis_s_spindle_axis_counted_limit) {
-        const int32_t spindle_turns_3 = (int32_t)(spindle_angle * axis_s_spindle_axis_per_turn);
+    } else if (axis_s_spindle_axis_magnitude(spindle_angle) <= counted_limit) {
+        const int32_t spindle_turns_3 = (int32_t)(spindle_angle * per_turn);
         const double spindle_rest_3 = spindle_angle - (double)spindle_turns_3 * axis_s_spindle_axis_full_turn;
         double spindle_above_3;
         if (spindle_rest_3 < 0.0) {
@@ -1191,14 +1190,13 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && state->spindle_queued == 0u
             && !state->spindle_before_any && !state->spindle_takes_over;
     uint32_t spindle_usual;
-    if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-            && !state->spindle_turns_fast) {
+    if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION) {
         spindle_usual = axis_s_spindle_axis_usual_position;
     } else if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
             && !state->spindle_returns) {
         spindle_usual = axis_s_spindle_axis_usual_velocity;
     } else {
-        spindle_usual = axis_s_spindle_axis_usual_none;
+        spindle_usual = usual_none;
     }
     state->spindle_usual = spindle_usual;
     const bool follows =
@@ -1207,21 +1205,21 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     const bool has_failed = state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     double spindle_outputs_v_spindle;
     if (follows && has_failed && !had_failed) {
-        const double v_whole_2 = state->held_v_command;
-        if (axis_s_spindle_axis_magnitude(v_whole_2) <= axis_s_spindle_axis_sample_limit) {
-            double spindle_v_low_3;
-            double spindle_v_high_3;
-            if (v_whole_2 < 0.0) {
-                spindle_v_low_3 = v_whole_2;
-                spindle_v_high_3 = 0.0;
+        const double v_whole = state->held_v_command;
+        if (axis_s_spindle_axis_magnitude(v_whole) <= axis_s_spindle_axis_sample_limit) {
+            double spindle_v_low_2;
+            double spindle_v_high_2;
+            if (v_whole < 0.0) {
+                spindle_v_low_2 = v_whole;
+                spindle_v_high_2 = 0.0;
             } else {
-                spindle_v_low_3 = 0.0;
-                spindle_v_high_3 = v_whole_2;
+                spindle_v_low_2 = 0.0;
+                spindle_v_high_2 = v_whole;
             }
-            if (state->spindle_v > spindle_v_high_3) {
-                state->spindle_v = spindle_v_high_3;
-            } else if (state->spindle_v < spindle_v_low_3) {
-                state->spindle_v = spindle_v_low_3;
+            if (state->spindle_v > spindle_v_high_2) {
+                state->spindle_v = spindle_v_high_2;
+            } else if (state->spindle_v < spindle_v_low_2) {
+                state->spindle_v = spindle_v_low_2;
             } else {
                 /* no action */
             }
@@ -1233,53 +1231,63 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     outputs->v_spindle = spindle_outputs_v_spindle;
     const bool is_position = follows && !has_failed;
     if (is_position && state->spindle_missing == 0u) {
-        const double lag_4 = spindle_x_spindle_2 - inputs->x_actual;
-        double lag_6;
-        bool gives_up_2;
-        if (missed > 0u || !(axis_s_spindle_axis_magnitude(lag_4) <= axis_s_spindle_axis_certain_lag)) {
-            double lag_5;
-            if (axis_s_spindle_axis_magnitude(lag_4) <= axis_s_spindle_axis_half_turn) {
-                lag_5 = lag_4;
-            } else if (axis_s_spindle_axis_magnitude(lag_4) <= axis_s_spindle_axis_counted_limit) {
-                const int32_t whole_turns_2 = axis_s_spindle_axis_nearest(lag_4 * axis_s_spindle_axis_per_turn);
-                lag_5 = lag_4 - (double)whole_turns_2 * axis_s_spindle_axis_full_turn;
+        double lag_3;
+        if (missed == 0u
+                && (axis_s_spindle_axis_magnitude(spindle_x_spindle_2 - inputs->x_actual)
+                    <= axis_s_spindle_axis_certain_lag
+                    || axis_s_spindle_axis_magnitude(spindle_x_spindle_2 - inputs->x_actual
+                    - axis_s_spindle_axis_full_turn) <= axis_s_spindle_axis_certain_lag
+                    || axis_s_spindle_axis_magnitude(spindle_x_spindle_2 - inputs->x_actual
+                    + axis_s_spindle_axis_full_turn) <= axis_s_spindle_axis_certain_lag)) {
+            const double difference_2 = spindle_x_spindle_2 - inputs->x_actual;
+            if (axis_s_spindle_axis_magnitude(difference_2) <= axis_s_spindle_axis_certain_lag) {
+                lag_3 = difference_2;
+            } else if (difference_2 > 0.0) {
+                lag_3 = difference_2 - axis_s_spindle_axis_full_turn;
+            } else {
+                lag_3 = difference_2 + axis_s_spindle_axis_full_turn;
+            }
+        } else {
+            const double difference_3 = spindle_x_spindle_2 - inputs->x_actual;
+            double lag_2;
+            if (axis_s_spindle_axis_magnitude(difference_3) <= half_turn) {
+                lag_2 = difference_3;
+            } else if (axis_s_spindle_axis_magnitude(difference_3) <= counted_limit) {
+                const int32_t whole_turns = axis_s_spindle_axis_nearest(difference_3 * per_turn);
+                lag_2 = difference_3 - (double)whole_turns * axis_s_spindle_axis_full_turn;
             } else {
                 /* reached only if the block's memory was corrupted */
-                lag_5 = 0.0;
+                lag_2 = 0.0;
             }
-            if (axis_s_spindle_axis_magnitude(state->lag_before) <= axis_s_spindle_axis_lag_limit) {
-                const double expected_2 = state->lag_before;
-                double expected_3;
+            if (axis_s_spindle_axis_magnitude(state->lag_before) <= lag_limit) {
+                const double expected = state->lag_before;
+                double expected_2;
                 if (missed > 0u) {
                     if (axis_s_spindle_axis_magnitude(v_missed) <= axis_s_spindle_axis_sample_limit) {
                         const double half_cycles = (double)(missed + 1u) * 0.5;
-                        expected_3 = expected_2 + v_missed * (spindle_cycle_time * half_cycles);
+                        expected_2 = expected + v_missed * (spindle_cycle_time * half_cycles);
                     } else {
                         /* reached only if the block's memory was corrupted */
-                        expected_3 = expected_2;
+                        expected_2 = expected;
                     }
                 } else {
-                    expected_3 = expected_2;
+                    expected_2 = expected;
                 }
-                const double lag_step_2 = lag_5 - expected_3;
-                if (lag_step_2 > axis_s_spindle_axis_half_turn) {
-                    lag_6 = lag_5 - axis_s_spindle_axis_full_turn;
-                } else if (lag_step_2 < -axis_s_spindle_axis_half_turn) {
-                    lag_6 = lag_5 + axis_s_spindle_axis_full_turn;
+                const double lag_step = lag_2 - expected_2;
+                if (lag_step > half_turn) {
+                    lag_3 = lag_2 - axis_s_spindle_axis_full_turn;
+                } else if (lag_step < -half_turn) {
+                    lag_3 = lag_2 + axis_s_spindle_axis_full_turn;
                 } else {
-                    lag_6 = lag_5;
+                    lag_3 = lag_2;
                 }
             } else {
                 /* reached only if the block's memory was corrupted */
-                lag_6 = lag_5;
+                lag_3 = lag_2;
             }
-            gives_up_2 = !(axis_s_spindle_axis_magnitude(lag_6) <= axis_s_spindle_axis_lag_limit);
-        } else {
-            gives_up_2 = false;
-            lag_6 = lag_4;
         }
-        state->lag_before = lag_6;
-        const double axis_inputs_x_actual_2 = spindle_x_spindle_2 - lag_6;
+        state->lag_before = lag_3;
+        const double axis_inputs_x_actual_2 = spindle_x_spindle_2 - lag_3;
         const bool improves = spindle_loop_closed && !inputs->reset;
         double axis_feedforward_v_feedforward_2;
         bool axis_feedforward_fault;
@@ -1475,39 +1483,39 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             axis_position_control_limited_2 = true;
         }
         outputs->limited = axis_position_control_limited_2 || axis_limited_2;
-        uint32_t error_now_3;
+        uint32_t error_now;
         if (axis_fault_2) {
-            error_now_3 = axis_error_id_2;
+            error_now = axis_error_id_2;
         } else {
-            error_now_3 = spindle_error_now;
+            error_now = spindle_error_now;
         }
-        uint32_t error_now_4;
-        if (gives_up_2) {
-            state->spindle_usual = axis_s_spindle_axis_usual_none;
+        const bool fault_so_far = error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        if (!(axis_s_spindle_axis_magnitude(lag_3) <= lag_limit)) {
+            outputs->fault = true;
+            outputs->error_id = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
+            state->spindle_usual = usual_none;
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
-            const double v_whole_3 = state->held_v_command;
-            double spindle_v_low_4;
-            double spindle_v_high_4;
-            if (v_whole_3 < 0.0) {
-                spindle_v_low_4 = v_whole_3;
-                spindle_v_high_4 = 0.0;
+            const double v_whole_2 = state->held_v_command;
+            double spindle_v_low_3;
+            double spindle_v_high_3;
+            if (v_whole_2 < 0.0) {
+                spindle_v_low_3 = v_whole_2;
+                spindle_v_high_3 = 0.0;
             } else {
-                spindle_v_low_4 = 0.0;
-                spindle_v_high_4 = v_whole_3;
+                spindle_v_low_3 = 0.0;
+                spindle_v_high_3 = v_whole_2;
             }
-            if (state->spindle_v > spindle_v_high_4) {
-                state->spindle_v = spindle_v_high_4;
-            } else if (state->spindle_v < spindle_v_low_4) {
-                state->spindle_v = spindle_v_low_4;
+            if (state->spindle_v > spindle_v_high_3) {
+                state->spindle_v = spindle_v_high_3;
+            } else if (state->spindle_v < spindle_v_low_3) {
+                state->spindle_v = spindle_v_low_3;
             } else {
                 /* no action */
             }
-            error_now_4 = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
         } else {
-            error_now_4 = error_now_3;
+            outputs->fault = fault_so_far;
+            outputs->error_id = error_now;
         }
-        outputs->error_id = error_now_4;
-        outputs->fault = error_now_4 != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     } else {
         outputs->error_id = spindle_error_now;
         outputs->v_add_calculated = 0.0;
@@ -1557,11 +1565,19 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
     const axis_s_spindle_axis_inputs *restrict inputs,
     axis_s_spindle_axis_outputs *restrict outputs)
 {
+    /* deceleration 5000 rpm/s (key spindle.deceleration) */
+    /* largest velocity of a usual cycle (fast path) of POSITION: below Von and v_largest, with the velocity command
+     * within its range [0.001 deg/s] */
+    static const double spindle_v_usual_position = 1199999.9999999998;
+    /* largest velocity of a usual cycle (fast path) of VELOCITY: the velocity command is within its range [0.001
+     * deg/s] */
+    static const double spindle_v_usual_velocity = 1288488959.7;
+
     const bool in_position =
         state->spindle_usual == axis_s_spindle_axis_usual_position
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
             && !inputs->m3 && !inputs->m4 && !inputs->m5 && !inputs->m19 && !inputs->putax && !inputs->g74
             && inputs->drive_on && !inputs->reset
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
             && (state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
                 || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
                 || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
@@ -1569,10 +1585,14 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
                 || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
             && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
             && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= axis_s_spindle_axis_position_limit
-            && axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit
+            && axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= spindle_v_usual_position
             && axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_below_full_turn
             && inputs->x_command >= 0.0
-            && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit
+            && (axis_s_spindle_axis_magnitude(inputs->x_command - inputs->x_actual) <= axis_s_spindle_axis_certain_lag
+                || axis_s_spindle_axis_magnitude(inputs->x_command - inputs->x_actual - axis_s_spindle_axis_full_turn)
+                <= axis_s_spindle_axis_certain_lag
+                || axis_s_spindle_axis_magnitude(inputs->x_command - inputs->x_actual + axis_s_spindle_axis_full_turn)
+                <= axis_s_spindle_axis_certain_lag)
             && inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON
             && state->axis_ipc_fade == axis_s_spindle_axis_axis_ipc_fade_cycles
             && axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit;
@@ -1580,6 +1600,8 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
         outputs->loop_closed = true;
         outputs->waiting = 0u;
         outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
+        outputs->fault = false;
+        outputs->error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         /* the fast path of POSITION: nothing is requested, and all samples are valid */
         state->spindle_x = inputs->x_command;
         state->spindle_v = inputs->v_interpolator;
@@ -1591,41 +1613,17 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
         outputs->job_speed = state->spindle_present_speed;
         outputs->job_position = state->spindle_present_position;
         outputs->job_number = state->spindle_jobs;
-        const double lag = spindle_x_spindle - inputs->x_actual;
-        bool gives_up;
-        double lag_3;
-        if (axis_s_spindle_axis_magnitude(lag) <= axis_s_spindle_axis_certain_lag) {
-            gives_up = false;
-            lag_3 = lag;
+        const double difference = spindle_x_spindle - inputs->x_actual;
+        double lag;
+        if (axis_s_spindle_axis_magnitude(difference) <= axis_s_spindle_axis_certain_lag) {
+            lag = difference;
+        } else if (difference > 0.0) {
+            lag = difference - axis_s_spindle_axis_full_turn;
         } else {
-            double lag_2;
-            if (axis_s_spindle_axis_magnitude(lag) <= axis_s_spindle_axis_half_turn) {
-                lag_2 = lag;
-            } else if (axis_s_spindle_axis_magnitude(lag) <= axis_s_spindle_axis_counted_limit) {
-                const int32_t whole_turns = axis_s_spindle_axis_nearest(lag * axis_s_spindle_axis_per_turn);
-                lag_2 = lag - (double)whole_turns * axis_s_spindle_axis_full_turn;
-            } else {
-                /* reached only if the block's memory was corrupted */
-                lag_2 = 0.0;
-            }
-            if (axis_s_spindle_axis_magnitude(state->lag_before) <= axis_s_spindle_axis_lag_limit) {
-                const double expected = state->lag_before;
-                const double lag_step = lag_2 - expected;
-                if (lag_step > axis_s_spindle_axis_half_turn) {
-                    lag_3 = lag_2 - axis_s_spindle_axis_full_turn;
-                } else if (lag_step < -axis_s_spindle_axis_half_turn) {
-                    lag_3 = lag_2 + axis_s_spindle_axis_full_turn;
-                } else {
-                    lag_3 = lag_2;
-                }
-            } else {
-                /* reached only if the block's memory was corrupted */
-                lag_3 = lag_2;
-            }
-            gives_up = !(axis_s_spindle_axis_magnitude(lag_3) <= axis_s_spindle_axis_lag_limit);
+            lag = difference + axis_s_spindle_axis_full_turn;
         }
-        state->lag_before = lag_3;
-        const double axis_inputs_x_actual = spindle_x_spindle - lag_3;
+        state->lag_before = lag;
+        const double axis_inputs_x_actual = spindle_x_spindle - lag;
         double axis_feedforward_gain_now;
         if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
             if (inputs->feedforward_percentage >= 100) {
@@ -1705,38 +1703,10 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
             axis_position_control_limited = true;
         }
         outputs->limited = axis_position_control_limited || axis_limited;
-        const uint32_t error_now = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        uint32_t error_now_2;
-        if (gives_up) {
-            state->spindle_usual = axis_s_spindle_axis_usual_none;
-            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
-            const double v_whole = state->held_v_command;
-            double spindle_v_low;
-            double spindle_v_high;
-            if (v_whole < 0.0) {
-                spindle_v_low = v_whole;
-                spindle_v_high = 0.0;
-            } else {
-                spindle_v_low = 0.0;
-                spindle_v_high = v_whole;
-            }
-            if (state->spindle_v > spindle_v_high) {
-                state->spindle_v = spindle_v_high;
-            } else if (state->spindle_v < spindle_v_low) {
-                state->spindle_v = spindle_v_low;
-            } else {
-                /* no action */
-            }
-            error_now_2 = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
-        } else {
-            error_now_2 = error_now;
-        }
-        outputs->error_id = error_now_2;
-        outputs->fault = error_now_2 != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     } else if (state->spindle_usual == axis_s_spindle_axis_usual_velocity
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
             && !inputs->m3 && !inputs->m4 && !inputs->m5 && !inputs->m19 && !inputs->putax && !inputs->g74
             && inputs->drive_on && !inputs->reset
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
             && (state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
                 || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
                 || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
@@ -1744,24 +1714,14 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
                 || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
             && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
             && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= axis_s_spindle_axis_position_limit
-            && axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit
+            && axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= spindle_v_usual_velocity
             && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_below_full_turn
             && inputs->x_actual >= 0.0) {
-        outputs->loop_closed = false;
-        outputs->waiting = 0u;
-        outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
-        outputs->fault = false;
-        outputs->error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        outputs->v_add_calculated = 0.0;
-        outputs->v_add = 0.0;
-        outputs->v_feedforward = 0.0;
         /* the fast path of VELOCITY: nothing is requested, and all samples are valid */
         state->spindle_x = inputs->x_actual;
         state->spindle_v = inputs->v_interpolator;
         outputs->x_spindle = state->spindle_x;
         const double spindle_v_spindle_2 = state->spindle_v;
-        outputs->v_spindle = spindle_v_spindle_2;
-        outputs->v_command = spindle_v_spindle_2;
         outputs->job = state->spindle_present_kind;
         outputs->job_speed = state->spindle_present_speed;
         outputs->job_position = state->spindle_present_position;
@@ -1770,20 +1730,18 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
         state->axis_ipc_fade = 0u;
         const double open_increments =
             axis_s_spindle_axis_axis_position_control_manipulated_scale * spindle_v_spindle_2;
-        if (axis_s_spindle_axis_magnitude(open_increments) <= axis_s_spindle_axis_manipulated_range_upper_limit) {
-            outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments);
-            outputs->limited = false;
-        } else if (open_increments > 0.0) {
-            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
-            outputs->limited = true;
-        } else if (open_increments < 0.0) {
-            outputs->limited = open_increments < axis_s_spindle_axis_manipulated_range_lower_limit;
-            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
-        } else {
-            /* reached only by NaN, which samples in range never produce: the output is 0 */
-            outputs->manipulated_variable = 0;
-            outputs->limited = true;
-        }
+        outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments);
+        outputs->v_command = spindle_v_spindle_2;
+        outputs->v_feedforward = 0.0;
+        outputs->v_add = 0.0;
+        outputs->v_add_calculated = 0.0;
+        outputs->limited = false;
+        outputs->error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        outputs->fault = false;
+        outputs->v_spindle = spindle_v_spindle_2;
+        outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
+        outputs->waiting = 0u;
+        outputs->loop_closed = false;
     } else {
         axis_s_spindle_axis_any_cycle(state, inputs, outputs);
     }

@@ -94,7 +94,12 @@ fn describe_argument(
             return numbers;
         }
         *mutates |= reference.mutability.is_some();
-        let place = place::describe(&reference.expr, scope, rejections);
+        // `&*state`: the function only reads the parameter that the caller may change.
+        let of = match &*reference.expr {
+            Expr::Unary(syn::ExprUnary { op: syn::UnOp::Deref(_), expr, .. }) if borrowed(expr, scope).is_some() => expr,
+            of => of,
+        };
+        let place = place::describe(of, scope, rejections);
         return quote!(::portable::Argument::Borrow { place: #place });
     }
     if let Some((name, kind)) = borrowed(argument, scope) {

@@ -1,7 +1,7 @@
 //! The reference as what the model is compared with: parameters become coefficients here, and signals of the one those of the other.
 
 use super::{Inputs, Outputs, Parameters};
-use portable::copy;
+use portable::{Extreme, copy};
 use reference::process_data;
 use reference::spindle::{self, Coeffs, State};
 
@@ -23,6 +23,10 @@ pub fn coefficients(p: &Parameters) -> Coeffs<f64> {
     let delay = if p.in_cnc { 0 } else { p.nd };
     let weight = if p.in_cnc { 0.0 } else { p.w };
     let lag = if p.only_velocity { 0.0 } else { (1.0 - weight) / p.kv };
+    let half_turn = (180_000.0 / p.cycle).next_down();
+    // A little below the end of the process data.
+    let in_process_data = 0.999_999 * f64::from(highest) / p.velocity_scale;
+    let v_usual = if p.in_cnc { 1e15 } else { in_process_data.smaller(1e15) };
     Coeffs {
         cycle_time_ns: p.cycle_ns,
         cycle_time: p.cycle,
@@ -36,7 +40,9 @@ pub fn coefficients(p: &Parameters) -> Coeffs<f64> {
         only_velocity: p.only_velocity,
         closes_loop: p.closes_loop,
         v_step: p.deceleration * p.cycle,
-        v_largest: (180_000.0 / p.cycle).next_down(),
+        v_largest: half_turn,
+        v_usual_position: p.v_on.next_down().smaller(half_turn).smaller(v_usual),
+        v_usual_velocity: v_usual,
         lead_time: f64::from(delay + 1) * p.cycle + lag,
         has_feedforward: p.in_cnc && p.feedforward.is_some(),
         default_active: false,
