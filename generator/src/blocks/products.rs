@@ -132,7 +132,18 @@ fn program<R: Real, B: Design + Reference<R>>(
 ) -> Result<Program, Defect> {
     let notes = kind.notes(designed).into_iter().collect();
     let specialised = specialise::block::<R, B>(&coefficients::<R, B>(designed), &notes);
-    if last.is_some() { pass::run(specialised, last) } else { Ok(specialised) }
+    match last {
+        None => Ok(specialised),
+        Some(VERIFIED) => Ok(finished(kind, designed, specialised)?.0),
+        last => pass::run(specialised, last),
+    }
+}
+
+/// The program after the last pass, without branches that are never taken, and the ranges of its outputs.
+fn finished(kind: &dyn BlockKind, designed: &Designed, specialised: Program) -> Result<(Program, Shown), Defect> {
+    let program = pass::run(specialised, None)?;
+    let shown = shown(kind, designed, &program);
+    Ok((ranges::decide(program, &shown.decided)?, shown))
 }
 
 /// Specialises one block and records its run.
@@ -142,7 +153,8 @@ fn block<R: Real, B: Design + Reference<R>>(kind: &dyn BlockKind, designed: &Des
     let specialised = specialise::block::<R, B>(&coeffs, &notes);
     let structure = structure::of(&specialised);
     let state_paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
-    let program = pass::run(specialised, None)?;
+    let (program, shown) = finished(kind, designed, specialised)?;
+    shown.refuse(program.block)?;
     let for_axis = legalise::for_axis(&program);
     let certificate = kind.certificate(designed, &program)?;
     let wanted = Wanted {
@@ -157,8 +169,6 @@ fn block<R: Real, B: Design + Reference<R>>(kind: &dyn BlockKind, designed: &Des
     let numbers = coefficients::<R, B>(designed);
     let start = || Box::new(Running::<R, B>::start(numbers)) as Box<dyn Run>;
     let answers = exercise::recording(trial.clone(), &program, &state_paths, start);
-    let shown = shown(kind, designed, &program);
-    shown.refuse(program.block)?;
     let purpose = kind.purpose(designed);
     Ok(Block { program, for_axis, purpose, notes, exercise, self_test, trial, answers, certificate, shown, structure })
 }

@@ -4,6 +4,7 @@
 //! It is proven that outputs are finite numbers within their limits, that ids and words are from their lists, that no
 //! integer overflows, that no conversion leaves its range, and that no integer is divided by 0.
 
+mod decide;
 mod finding;
 mod known;
 mod learn;
@@ -12,6 +13,7 @@ mod value;
 mod walk;
 mod whole;
 
+pub use decide::run as decide;
 pub use finding::Finding;
 use finding::words;
 pub use real::Interval;
@@ -36,6 +38,8 @@ pub struct Shown {
     pub numbers: Vec<Option<Vec<i64>>>,
     /// properties that cannot be proven
     pub findings: Vec<Finding>,
+    /// the `if`s of `step` that always take the same branch, by their position in the text, and the answer to their conditions
+    pub decided: Vec<(usize, bool)>,
 }
 
 impl Shown {
@@ -87,7 +91,7 @@ pub fn run(program: &Program, limits: &[Limit<'_>]) -> Shown {
         let limit = limits.iter().find(|(path, _)| *path == output.path).map(|(_, limit)| *limit);
         findings.extend(of_output(&output.path, *value, limit, numbers[index].as_deref(), lists[index].as_ref()));
     }
-    Shown { outputs, numbers, findings }
+    Shown { outputs, numbers, findings, decided: walk.decided }
 }
 
 /// Reports limits that an output may violate.

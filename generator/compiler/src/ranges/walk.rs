@@ -19,6 +19,10 @@ pub(super) struct Walk<'p> {
     statement: Option<&'p Statement>,
     pub findings: Vec<Finding>,
     products: Vec<Product>,
+    /// number of `if`s before this point of the text
+    choices: usize,
+    /// the `if`s with one answer only, by their number, and that answer
+    pub decided: Vec<(usize, bool)>,
 }
 
 /// A local that is the product of a constant and a variable. The product with the opposite constant is its negation, exactly.
@@ -42,7 +46,8 @@ impl<'p> Walk<'p> {
         let locals = program.locals.iter().map(|local| Value::any(local.ty.unwrap_or(Type::Real)));
         let values: Vec<Value> = variables.chain(constants).chain(locals).collect();
         let known = Known::new(values.into_iter(), first[4], names);
-        Self { program, known, first, statement: None, findings: Vec::new(), products: Vec::new() }
+        let (findings, products, decided) = (Vec::new(), Vec::new(), Vec::new());
+        Self { program, known, first, statement: None, findings, products, choices: 0, decided }
     }
 
     pub(super) fn place(&self, var: Var) -> Place {
@@ -68,18 +73,31 @@ impl<'p> Walk<'p> {
                     self.statement = Some(statement);
                     self.check(condition);
                     let mark = self.known.mark();
+                    let choice = self.choices;
+                    self.choices += 1;
                     let branches = [(then, true), (otherwise, false)].map(|(branch, answer)| {
                         let is_reached = self.learn(condition, answer);
                         if is_reached {
                             self.list(branch);
+                        } else {
+                            self.choices += choices(branch);
                         }
                         self.changes(mark, is_reached)
                     });
+                    if let ([Some(_), None] | [None, Some(_)], false) = (&branches, self.selects(condition)) {
+                        self.decided.push((choice, branches[0].is_some()));
+                    }
                     self.known.merge(branches);
                 }
                 Statement::Choose { .. } | Statement::Apart(_) => panic!("ranges: nothing has been legalised yet"),
             }
         }
+    }
+
+    /// Whether the condition asks for one number of several: a chain of such questions becomes an array or a choice, also where its
+    /// last one has one answer only.
+    fn selects(&self, condition: &Expr) -> bool {
+        matches!(condition, Expr::Binary(Binary::Equal, left, _) if !matches!(left.ty(self.program), Type::Real | Type::Bool))
     }
 
     /// The changes since a mark, which are undone; `None` if the point cannot be reached.
@@ -299,4 +317,10 @@ fn real_of(number: i64, kind: RealKind) -> f64 {
         RealKind::F64 => number,
         RealKind::F32 => f32::lit(number).into(),
     }
+}
+
+/// The number of `if`s in a list.
+fn choices(list: &[Statement]) -> usize {
+    let of = |statement: &Statement| statement.branches().map(|list| choices(list)).sum::<usize>();
+    list.iter().map(|statement| of(statement) + usize::from(matches!(statement, Statement::If { .. }))).sum()
 }

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   039a7992dbead31b59ebc3cae3413126
- * checksum    47dd525ee31fc3fc868be69a86e99838
+ * structure   9bbae620d0e1606612da4501cba48f99
+ * checksum    1f8e1cab2b677489506d6f93e776bc4f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -117,16 +117,6 @@ static const double axis_s_spindle_axis_axis_position_control_kv = 100.0; /* gai
 /* 10000000/360 increments at 1000 deg/min (P-AXIS-00129/00128) */
 /* manipulated variable: increments for 1 0.001 deg/s */
 static const double axis_s_spindle_axis_axis_position_control_manipulated_scale = 1.6666666666666667;
-
-/* process data of 32 bits */
-/* smallest value of the process data */
-static const int32_t axis_s_spindle_axis_position_control_manipulated_range_lowest = (-2147483647 - 1);
-/* largest value of the process data */
-static const int32_t axis_s_spindle_axis_position_control_manipulated_range_highest = 2147483647;
-/* smallest number that is rounded to the smallest value */
-static const double axis_s_spindle_axis_manipulated_range_lower_limit = -2147483648.4999995;
-/* largest number that is rounded to the largest value */
-static const double axis_s_spindle_axis_manipulated_range_upper_limit = 2147483647.4999998;
 
 /* constants that do not depend on the axis */
 /* the usual cycle (fast path) of POSITION may be next; the codes differ in several bits, so that a flipped bit
@@ -276,6 +266,14 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
 
     /* fade from OFF to ON: 0.1 s (key fade) */
     static const double axis_ipc_fade_step = 0.01; /* 1 / fade_cycles */
+
+    /* process data of 32 bits */
+    static const int32_t axis_position_control_manipulated_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
+    static const int32_t axis_position_control_manipulated_range_highest = 2147483647; /* largest value of the process data */
+    /* smallest number that is rounded to the smallest value */
+    static const double axis_position_control_manipulated_range_lower_limit = -2147483648.4999995;
+    /* largest number that is rounded to the largest value */
+    static const double axis_position_control_manipulated_range_upper_limit = 2147483647.4999998;
 
     /* constants that do not depend on the axis */
     static const uint32_t largest_count = 4000000000u; /* upper bound of the cycle count of a state, above any permitted time */
@@ -697,7 +695,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= axis_s_spindle_axis_below_full_turn
                     && spindle_ahead_2 >= 0.0) {
                 spindle_within_turn = spindle_ahead_2;
-            } else if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= counted_limit) {
+            } else {
                 const int32_t spindle_turns = (int32_t)(spindle_ahead_2 * per_turn);
                 const double spindle_rest = spindle_ahead_2 - (double)spindle_turns * axis_s_spindle_axis_full_turn;
                 double spindle_above;
@@ -711,9 +709,6 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 } else {
                     spindle_within_turn = spindle_above;
                 }
-            } else {
-                /* reached only if the block's memory was corrupted */
-                spindle_within_turn = 0.0;
             }
             state->spindle_x = spindle_within_turn;
         } else if (inputs->drive_on) {
@@ -1289,39 +1284,20 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         state->lag_before = lag_3;
         const double axis_inputs_x_actual_2 = spindle_x_spindle_2 - lag_3;
         const bool improves = spindle_loop_closed && !inputs->reset;
-        double axis_feedforward_v_feedforward_2;
-        bool axis_feedforward_fault;
-        uint32_t axis_feedforward_error_id;
-        if (axis_s_spindle_axis_magnitude(spindle_outputs_v_spindle) <= axis_s_spindle_axis_sample_limit) {
-            double axis_feedforward_gain_now_2;
-            if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                if (inputs->feedforward_percentage >= 100) {
-                    axis_feedforward_gain_now_2 = axis_s_spindle_axis_axis_feedforward_weight;
-                } else {
-                    axis_feedforward_gain_now_2 =
-                        axis_s_spindle_axis_axis_feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
-                }
+        double axis_feedforward_gain_now_2;
+        if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
+            if (inputs->feedforward_percentage >= 100) {
+                axis_feedforward_gain_now_2 = axis_s_spindle_axis_axis_feedforward_weight;
             } else {
-                axis_feedforward_gain_now_2 = 0.0;
+                axis_feedforward_gain_now_2 =
+                    axis_s_spindle_axis_axis_feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
             }
-            axis_feedforward_v_feedforward_2 = axis_feedforward_gain_now_2 * spindle_outputs_v_spindle;
-            axis_feedforward_fault = false;
-            axis_feedforward_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         } else {
-            axis_feedforward_v_feedforward_2 = 0.0;
-            axis_feedforward_fault = true;
-            axis_feedforward_error_id = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+            axis_feedforward_gain_now_2 = 0.0;
         }
+        const double axis_feedforward_v_feedforward_2 = axis_feedforward_gain_now_2 * spindle_outputs_v_spindle;
         outputs->v_feedforward = axis_feedforward_v_feedforward_2;
-        uint32_t axis_error_id;
-        bool axis_fault;
-        if (axis_feedforward_fault) {
-            axis_error_id = axis_feedforward_error_id;
-            axis_fault = true;
-        } else {
-            axis_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            axis_fault = false;
-        }
+        const uint32_t axis_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         const double axis_lag_2 = spindle_x_spindle_2 - axis_inputs_x_actual_2;
         const double axis_v_lag_2 = axis_s_spindle_axis_axis_position_control_kv * axis_lag_2;
         const double axis_v_controller_2 = axis_v_lag_2 + axis_feedforward_v_feedforward_2;
@@ -1384,7 +1360,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             axis_ipc_runs = false;
             axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_MODE;
         }
-        bool axis_limited_2;
+        bool axis_limited;
         double axis_ipc_v_add;
         bool axis_ipc_fault;
         uint32_t axis_ipc_error_id;
@@ -1412,7 +1388,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 } else {
                     axis_ipc_v_limited = axis_ipc_v_stage0_2;
                 }
-                axis_limited_2 = false;
+                axis_limited = false;
             } else {
                 if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_2) <= axis_s_spindle_axis_axis_ipc_sum_limit) {
                     if (axis_ipc_v_stage0_2 > 0.0) {
@@ -1426,7 +1402,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                     state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
                     axis_ipc_v_limited = 0.0;
                 }
-                axis_limited_2 = true;
+                axis_limited = true;
             }
             if (axis_ipc_fade < axis_s_spindle_axis_axis_ipc_fade_cycles) {
                 if (axis_ipc_fade > 0u) {
@@ -1449,42 +1425,42 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             axis_ipc_fault = axis_ipc_reason != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
             axis_ipc_v_add = 0.0;
             outputs->v_add_calculated = 0.0;
-            axis_limited_2 = false;
+            axis_limited = false;
             axis_ipc_error_id = axis_ipc_reason;
         }
         outputs->v_add = axis_ipc_v_add;
         uint32_t axis_error_id_2;
-        bool axis_fault_2;
+        bool axis_fault;
         if (axis_ipc_fault) {
             axis_error_id_2 = axis_ipc_error_id;
-            axis_fault_2 = true;
+            axis_fault = true;
         } else {
             axis_error_id_2 = axis_error_id;
-            axis_fault_2 = axis_fault;
+            axis_fault = false;
         }
         const double axis_position_control_v_drive_2 = axis_v_controller_2 + axis_ipc_v_add;
         const double axis_position_control_increments_2 =
             axis_s_spindle_axis_axis_position_control_manipulated_scale * axis_position_control_v_drive_2;
-        bool axis_position_control_limited_2;
+        bool axis_position_control_limited;
         if (axis_s_spindle_axis_magnitude(axis_position_control_increments_2)
-                <= axis_s_spindle_axis_manipulated_range_upper_limit) {
+                <= axis_position_control_manipulated_range_upper_limit) {
             outputs->manipulated_variable = axis_s_spindle_axis_nearest(axis_position_control_increments_2);
-            axis_position_control_limited_2 = false;
+            axis_position_control_limited = false;
         } else if (axis_position_control_increments_2 > 0.0) {
-            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
-            axis_position_control_limited_2 = true;
+            outputs->manipulated_variable = axis_position_control_manipulated_range_highest;
+            axis_position_control_limited = true;
         } else if (axis_position_control_increments_2 < 0.0) {
-            axis_position_control_limited_2 =
-                axis_position_control_increments_2 < axis_s_spindle_axis_manipulated_range_lower_limit;
-            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
+            axis_position_control_limited =
+                axis_position_control_increments_2 < axis_position_control_manipulated_range_lower_limit;
+            outputs->manipulated_variable = axis_position_control_manipulated_range_lowest;
         } else {
             /* reached only by NaN, which samples in range never produce: the output is 0 */
             outputs->manipulated_variable = 0;
-            axis_position_control_limited_2 = true;
+            axis_position_control_limited = true;
         }
-        outputs->limited = axis_position_control_limited_2 || axis_limited_2;
+        outputs->limited = axis_position_control_limited || axis_limited;
         uint32_t error_now;
-        if (axis_fault_2) {
+        if (axis_fault) {
             error_now = axis_error_id_2;
         } else {
             error_now = spindle_error_now;
@@ -1542,15 +1518,15 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         outputs->v_command = command_v_command;
         const double open_increments_2 =
             axis_s_spindle_axis_axis_position_control_manipulated_scale * command_v_command;
-        if (axis_s_spindle_axis_magnitude(open_increments_2) <= axis_s_spindle_axis_manipulated_range_upper_limit) {
+        if (axis_s_spindle_axis_magnitude(open_increments_2) <= axis_position_control_manipulated_range_upper_limit) {
             outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments_2);
             outputs->limited = false;
         } else if (open_increments_2 > 0.0) {
-            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
+            outputs->manipulated_variable = axis_position_control_manipulated_range_highest;
             outputs->limited = true;
         } else if (open_increments_2 < 0.0) {
-            outputs->limited = open_increments_2 < axis_s_spindle_axis_manipulated_range_lower_limit;
-            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
+            outputs->limited = open_increments_2 < axis_position_control_manipulated_range_lower_limit;
+            outputs->manipulated_variable = axis_position_control_manipulated_range_lowest;
         } else {
             /* reached only by NaN, which samples in range never produce: the output is 0 */
             outputs->manipulated_variable = 0;
@@ -1573,8 +1549,7 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
      * deg/s] */
     static const double spindle_v_usual_velocity = 1288488959.7;
 
-    const bool in_position =
-        state->spindle_usual == axis_s_spindle_axis_usual_position
+    if (state->spindle_usual == axis_s_spindle_axis_usual_position
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
             && !inputs->m3 && !inputs->m4 && !inputs->m5 && !inputs->m19 && !inputs->putax && !inputs->g74
             && inputs->drive_on && !inputs->reset
@@ -1595,8 +1570,7 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
                 <= axis_s_spindle_axis_certain_lag)
             && inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON
             && state->axis_ipc_fade == axis_s_spindle_axis_axis_ipc_fade_cycles
-            && axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit;
-    if (in_position) {
+            && axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit) {
         outputs->loop_closed = true;
         outputs->waiting = 0u;
         outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
@@ -1657,15 +1631,15 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
                 - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 * axis_ipc_stage0_filter0_section0_y;
         const double axis_ipc_v_stage0 = axis_s_spindle_axis_axis_ipc_stage0_gain * axis_ipc_stage0_filter0_section0_y;
         double axis_ipc_v_add_calculated;
-        bool axis_limited;
         if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_limit) {
+            outputs->limited = false;
             if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_rest) {
                 axis_ipc_v_add_calculated = 0.0;
             } else {
                 axis_ipc_v_add_calculated = axis_ipc_v_stage0;
             }
-            axis_limited = false;
         } else {
+            outputs->limited = true;
             if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_sum_limit) {
                 if (axis_ipc_v_stage0 > 0.0) {
                     axis_ipc_v_add_calculated = axis_s_spindle_axis_axis_ipc_limit;
@@ -1678,31 +1652,13 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
                 state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
                 axis_ipc_v_add_calculated = 0.0;
             }
-            axis_limited = true;
         }
-        outputs->v_add_calculated = axis_ipc_v_add_calculated;
-        outputs->v_add = axis_ipc_v_add_calculated;
         const double axis_position_control_v_drive = axis_v_controller + axis_ipc_v_add_calculated;
         const double axis_position_control_increments =
             axis_s_spindle_axis_axis_position_control_manipulated_scale * axis_position_control_v_drive;
-        bool axis_position_control_limited;
-        if (axis_s_spindle_axis_magnitude(axis_position_control_increments)
-                <= axis_s_spindle_axis_manipulated_range_upper_limit) {
-            outputs->manipulated_variable = axis_s_spindle_axis_nearest(axis_position_control_increments);
-            axis_position_control_limited = false;
-        } else if (axis_position_control_increments > 0.0) {
-            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
-            axis_position_control_limited = true;
-        } else if (axis_position_control_increments < 0.0) {
-            axis_position_control_limited =
-                axis_position_control_increments < axis_s_spindle_axis_manipulated_range_lower_limit;
-            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
-        } else {
-            /* reached only by NaN, which samples in range never produce: the output is 0 */
-            outputs->manipulated_variable = 0;
-            axis_position_control_limited = true;
-        }
-        outputs->limited = axis_position_control_limited || axis_limited;
+        outputs->manipulated_variable = axis_s_spindle_axis_nearest(axis_position_control_increments);
+        outputs->v_add = axis_ipc_v_add_calculated;
+        outputs->v_add_calculated = axis_ipc_v_add_calculated;
     } else if (state->spindle_usual == axis_s_spindle_axis_usual_velocity
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
             && !inputs->m3 && !inputs->m4 && !inputs->m5 && !inputs->m19 && !inputs->putax && !inputs->g74

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   039a7992dbead31b59ebc3cae3413126
- * checksum    fc0940f39ac8a0714d02b22e1104acc6
+ * structure   9bbae620d0e1606612da4501cba48f99
+ * checksum    1fbf68f5ca8cfc82e09802fa88dfa9c8
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -39,10 +39,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x039a7992u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xdbead31bu
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x59ebc3cau
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0xe3413126u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x9bbae620u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xd0e16066u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x12da4501u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0xcba48f99u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
