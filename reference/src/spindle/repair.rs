@@ -49,6 +49,19 @@ pub fn is_request<R: Real>(request: &Request<R>) -> bool {
     is_job(request) && in_range(request.speed, sample_limit()) && in_range(request.position, position_limit())
 }
 
+/// Whether the job is one that a usual cycle outputs: one comparison limits both numbers.
+#[portable]
+pub fn is_usual_job<R: Real>(request: &Request<R>) -> bool {
+    is_job(request)
+        && in_range(request.speed * request.speed + request.position * request.position, squares_limit())
+}
+
+/// square of the largest magnitude of a position, and of a speed of a usual cycle
+#[portable]
+pub fn squares_limit<R: Real>() -> R {
+    R::per_kind(4.9e29, 1.0e18)
+}
+
 /// Whether the state of the changeover exists, and is that of its copy. Only at the start the block does not move the spindle:
 /// memory of zeros, without `init`, is not position control.
 #[portable]
@@ -112,7 +125,8 @@ pub fn repair_motion<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
         }
         is_repaired = true;
     }
-    if !is_position(state.x_start) {
+    // Only TO_POSITION uses it.
+    if state.control == SpindleState::ToPosition && !is_position(state.x_start) {
         state.x_start = state.x;
         is_repaired = true;
     }

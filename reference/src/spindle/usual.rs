@@ -3,7 +3,7 @@
 
 use super::change::is_displayed;
 use super::put_out::{put_out_job, put_out_mode};
-use super::repair::is_request;
+use super::repair::is_usual_job;
 use super::signals::{Inputs, Outputs};
 use super::state::{Coeffs, SpindleState, State, usual_none, usual_position, usual_velocity};
 use crate::angle::{full_turn, is_within_turn};
@@ -61,7 +61,7 @@ pub fn stays_in_position<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: 
         && state.usual == usual_position()
         && asks_nothing(coeffs, inputs)
         && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
-        && is_request(&state.present)
+        && is_usual_job(&state.present)
         && in_range(inputs.v_interpolator, coeffs.v_usual_position)
         && is_within_turn(inputs.x_command)
         && (!coeffs.closes_loop || is_certain(inputs.x_command, inputs.x_actual))
@@ -74,7 +74,7 @@ pub fn stays_in_velocity<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: 
     state.usual == usual_velocity()
         && asks_nothing(coeffs, inputs)
         && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
-        && is_request(&state.present)
+        && is_usual_job(&state.present)
         && in_range(inputs.v_interpolator, coeffs.v_usual_velocity)
         && is_within_turn(inputs.x_actual)
         && is_displayed(coeffs, inputs, coeffs.velocity_mode)

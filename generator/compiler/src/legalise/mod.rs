@@ -9,6 +9,7 @@ mod choose;
 mod copied;
 mod early;
 mod enable;
+mod ends;
 mod general;
 mod guarded;
 mod joined;
@@ -36,6 +37,7 @@ use std::borrow::Cow;
 pub const WITH_OUTPUTS: &[Stage] = &[
     ("settled", settle::run),
     ("early", early::run),
+    ("ends", ends::run),
     ("indexed", rows::run),
     ("chosen", choose::run),
     ("apart", apart::run),
