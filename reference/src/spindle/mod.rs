@@ -207,6 +207,9 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     let request_error = begin(state, coeffs, inputs, &mut cycle, is_job);
     outputs.spindle_state = cycle.control;
     let at_start = is_at_start(state, cycle.control);
+    if at_start {
+        repair::repair_seen(state, &mut cycle);
+    }
     let may_act = state.lasting_error == error_none();
     // In the cycle in which the block takes over the spindle, the spindle keeps its velocity.
     let is_seized = inputs.drive_on && !may_act && at_start && state.cycles == 0u32;

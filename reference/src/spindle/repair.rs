@@ -130,13 +130,19 @@ pub fn repair_motion<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
         state.x_start = state.x;
         is_repaired = true;
     }
+    is_repaired
+}
+
+/// Repairs impossible samples of a spindle that the block does not move yet. Otherwise nothing reads them.
+#[portable]
+pub fn repair_seen<R: Real>(state: &mut State<R>, cycle: &mut Cycle<R>) {
     if !is_seen(&state.seen) {
         state.seen.v = R::ZERO;
         state.seen.v_last = R::ZERO;
         state.seen.v_before = R::ZERO;
-        is_repaired = true;
+        state.lasting_error = error_state();
+        cycle.forgets = true;
     }
-    is_repaired
 }
 
 /// Repairs an impossible state: the spindle stops.
