@@ -29,7 +29,9 @@ pub use request::{Before, Job, Request};
 pub use signals::{Inputs, Outputs};
 pub use start::hold_back;
 pub use state::{Coeffs, Cycle, Seen, SpindleState, State, usual_none};
-pub use usual::{certain_lag, is_certain, remain_in_position, remain_in_velocity, stays_in_position, stays_in_velocity};
+pub use usual::{
+    certain_lag, is_certain, remain_in_position, remain_in_velocity, stays_in_position, stays_in_velocity,
+};
 
 use crate::angle::wrapped;
 use crate::call_rate;

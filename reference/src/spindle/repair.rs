@@ -52,8 +52,7 @@ pub fn is_request<R: Real>(request: &Request<R>) -> bool {
 /// Whether the job is one that a usual cycle outputs: one comparison limits both numbers.
 #[portable]
 pub fn is_usual_job<R: Real>(request: &Request<R>) -> bool {
-    is_job(request)
-        && in_range(request.speed * request.speed + request.position * request.position, squares_limit())
+    is_job(request) && in_range(request.speed * request.speed + request.position * request.position, squares_limit())
 }
 
 /// square of the largest magnitude of a position, and of a speed of a usual cycle

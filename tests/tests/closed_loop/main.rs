@@ -109,7 +109,7 @@ fn neither_a_blocked_spindle_nor_a_lost_sample_nor_an_error_is_a_step_of_the_com
         (DRIVE, SET, "c", &["stopped", "150"], "0.0 0\n"),
         (DRIVE, &added, "c", &["ahead", "900"], "0.0 48\n"),
         (STATED, SET, "s", &[], "4\n"),
-        (STATED, SET, "c", &[], "69\n"),
+        (STATED, SET, "c", &[], "72\n"),
         (STATED, &added, "c", &[], "36\n"),
         (STATED, &both, "s", &[], "8\n"),
     ] {

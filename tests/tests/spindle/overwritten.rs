@@ -91,7 +91,7 @@ fn an_impossible_state_is_error_3_and_stops() {
     let changes: [fn(&mut State<f64>); 5] = [
         |s| s.present.speed = f64::NAN,
         |s| s.present.position = 1e300,
-        |s| s.x_start = -1.0,
+        |s| s.x = -1.0,
         |s| s.queued = 5,
         |s| s.lasting_error = 99,
     ];

@@ -177,7 +177,11 @@ impl<'p> Conditions<'p> {
         known == question
             || match (self.questions[known].bound, self.questions[question].bound) {
                 (Some(one), Some(other)) if one.of == other.of => {
-                    if holds { one.limit <= other.limit } else { one.limit >= other.limit }
+                    if holds {
+                        one.limit <= other.limit
+                    } else {
+                        one.limit >= other.limit
+                    }
                 }
                 _ => false,
             }

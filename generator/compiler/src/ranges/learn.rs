@@ -160,8 +160,12 @@ impl Walk<'_> {
         }
         let (a, b, exact) = (self.interval(left), self.interval(right), result.before_rounding(kind));
         let (left_is, right_is) = match operator {
-            Binary::Add => (real::binary(Binary::Subtract, exact, b, kind), real::binary(Binary::Subtract, exact, a, kind)),
-            Binary::Subtract => (real::binary(Binary::Add, exact, b, kind), real::binary(Binary::Subtract, a, exact, kind)),
+            Binary::Add => {
+                (real::binary(Binary::Subtract, exact, b, kind), real::binary(Binary::Subtract, exact, a, kind))
+            }
+            Binary::Subtract => {
+                (real::binary(Binary::Add, exact, b, kind), real::binary(Binary::Subtract, a, exact, kind))
+            }
             _ => return true,
         };
         self.restrict(left, Value::Real(left_is.before_rounding(kind)))

@@ -4,9 +4,9 @@
 mod decided;
 mod read;
 
-use compiler::legalise;
 use compiler::pass::{Defect, PASSES};
 use compiler::program::{Program, Type};
+use compiler::{legalise, ranges};
 use portable::RealKind;
 
 /// A pass by its name; the typing pass has run before those that simplify.
@@ -27,6 +27,9 @@ fn run(pass: &str, real: RealKind, text: &str) -> Result<[Program; 2], Defect> {
 
 /// What a legalising pass makes of a program.
 fn legal(pass: &str, program: Program) -> Result<Program, Defect> {
+    if pass == "decided" {
+        return ranges::decide(program.clone(), &ranges::run(&program, &[]).decided);
+    }
     let all = legalise::WITH_OUTPUTS.iter().chain(legalise::WITH_DIGITS);
     let (_, pass) = all.into_iter().find(|(name, _)| *name == pass).unwrap_or_else(|| panic!("unknown pass: {pass}"));
     pass(program)

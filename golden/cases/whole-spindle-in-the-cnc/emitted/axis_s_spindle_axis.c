@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   9bbae620d0e1606612da4501cba48f99
- * checksum    1f8e1cab2b677489506d6f93e776bc4f
+ * structure   0249f1fbcaeb9c019e66f27e4e994da4
+ * checksum    2ddd646e1c6bfea20cdadfb0a8453208
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -122,15 +122,13 @@ static const double axis_s_spindle_axis_axis_position_control_manipulated_scale 
 /* the usual cycle (fast path) of POSITION may be next; the codes differ in several bits, so that a flipped bit
  * is detected */
 static const uint32_t axis_s_spindle_axis_usual_position = 21845u;
-/* largest magnitude of a sample in range, far above any real signal; NaN and infinity are out of range */
-static const double axis_s_spindle_axis_sample_limit = 1000000000000000.0;
-/* largest magnitude of a position in range: its number of turns fits in 32 bits */
-static const double axis_s_spindle_axis_position_limit = 700000000000000.0;
 static const double axis_s_spindle_axis_below_full_turn = 359999.99999999994; /* largest angle below a full turn [0.001 deg] */
 /* Up to this angle the lag is certain, whatever the previous one was: from the largest lag it would take more
  * than 130 deg in a cycle to be here the other way round [0.001 deg] */
 static const double axis_s_spindle_axis_certain_lag = 60000.0;
 static const double axis_s_spindle_axis_full_turn = 360000.0; /* a full turn [0.001 deg] */
+/* largest magnitude of a sample in range, far above any real signal; NaN and infinity are out of range */
+static const double axis_s_spindle_axis_sample_limit = 1000000000000000.0;
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double axis_s_spindle_axis_anti_denormal = 1.0e-30;
 static const uint32_t axis_s_spindle_axis_usual_velocity = 43690u; /* the usual cycle (fast path) of VELOCITY may be next */
@@ -276,6 +274,8 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     static const double axis_position_control_manipulated_range_upper_limit = 2147483647.4999998;
 
     /* constants that do not depend on the axis */
+    /* largest magnitude of a position in range: its number of turns fits in 32 bits */
+    static const double position_limit = 700000000000000.0;
     static const uint32_t largest_count = 4000000000u; /* upper bound of the cycle count of a state, above any permitted time */
     /* largest lead of the position command, above the need of any spindle [0.001 deg] */
     static const double lead_limit = 1000000000.0;
@@ -304,7 +304,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
                 || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
             && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
-            && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= axis_s_spindle_axis_position_limit;
+            && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= position_limit;
     /* memory that no cycle can have left is repaired, and the spindle stops */
     if (state->spindle_missing > 4u) {
         state->spindle_missing = 4u;
@@ -353,7 +353,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         spindle_is_repaired_2 = spindle_is_repaired;
     } else {
         state->spindle_x = 0.0;
-        if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
+        if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= position_limit) {
             double spindle_lead;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 int32_t spindle_percentage;
@@ -380,25 +380,15 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     }
     const double spindle_x_2 = state->spindle_x_start;
     bool spindle_is_repaired_3;
-    if (spindle_x_2 >= 0.0 && spindle_x_2 < axis_s_spindle_axis_full_turn) {
-        spindle_is_repaired_3 = spindle_is_repaired_2;
-    } else {
+    if (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION
+            && !(spindle_x_2 >= 0.0 && spindle_x_2 < axis_s_spindle_axis_full_turn)) {
         state->spindle_x_start = state->spindle_x;
         spindle_is_repaired_3 = true;
-    }
-    bool spindle_is_repaired_4;
-    if (axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= axis_s_spindle_axis_sample_limit
-            && axis_s_spindle_axis_magnitude(state->spindle_seen_v_last) <= axis_s_spindle_axis_sample_limit
-            && axis_s_spindle_axis_magnitude(state->spindle_seen_v_before) <= axis_s_spindle_axis_sample_limit) {
-        spindle_is_repaired_4 = spindle_is_repaired_3;
     } else {
-        state->spindle_seen_v = 0.0;
-        state->spindle_seen_v_last = 0.0;
-        state->spindle_seen_v_before = 0.0;
-        spindle_is_repaired_4 = true;
+        spindle_is_repaired_3 = spindle_is_repaired_2;
     }
     const bool spindle_is_intact =
-        spindle_is_error && spindle_is_control && !spindle_is_repaired_4 && spindle_is_job
+        spindle_is_error && spindle_is_control && !spindle_is_repaired_3 && spindle_is_job
             && state->spindle_queued <= 4u;
     if (!spindle_is_intact) {
         state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
@@ -460,7 +450,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                     && !(axis_s_spindle_axis_magnitude(inputs->s_word) <= axis_s_spindle_axis_sample_limit)) {
                 spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_S_WORD;
             } else if (spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
-                    && !(axis_s_spindle_axis_magnitude(inputs->s_position) <= axis_s_spindle_axis_position_limit)) {
+                    && !(axis_s_spindle_axis_magnitude(inputs->s_position) <= position_limit)) {
                 spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_S_POSITION;
             } else if (!inputs->drive_on) {
                 spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_DRIVE_OFF;
@@ -535,13 +525,13 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                     spindle_forgets = true;
                 } else {
                     spindle_cycle_control_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                    spindle_forgets = spindle_is_repaired_4;
+                    spindle_forgets = spindle_is_repaired_3;
                 }
                 spindle_begins_2 = true;
             } else {
                 spindle_cycle_control_2 = spindle_cycle_control;
                 spindle_begins_2 = spindle_begins;
-                spindle_forgets = spindle_is_repaired_4;
+                spindle_forgets = spindle_is_repaired_3;
             }
         } else {
             if (spindle_cycle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
@@ -551,12 +541,12 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             }
             spindle_cycle_control_2 = spindle_cycle_control;
             spindle_begins_2 = spindle_begins;
-            spindle_forgets = spindle_is_repaired_4;
+            spindle_forgets = spindle_is_repaired_3;
         }
     } else {
         spindle_cycle_control_2 = spindle_cycle_control;
         spindle_begins_2 = spindle_begins;
-        spindle_forgets = spindle_is_repaired_4;
+        spindle_forgets = spindle_is_repaired_3;
     }
     const bool spindle_is_wrong =
         inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != axis_s_spindle_axis_spindle_cycle_time_ns;
@@ -591,12 +581,28 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     }
     const bool spindle_at_start_2 =
         spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !state->spindle_is_moving;
+    bool spindle_forgets_3;
+    if (spindle_at_start_2) {
+        if (axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= axis_s_spindle_axis_sample_limit
+                && axis_s_spindle_axis_magnitude(state->spindle_seen_v_last) <= axis_s_spindle_axis_sample_limit
+                && axis_s_spindle_axis_magnitude(state->spindle_seen_v_before) <= axis_s_spindle_axis_sample_limit) {
+            spindle_forgets_3 = spindle_forgets_2;
+        } else {
+            state->spindle_seen_v = 0.0;
+            state->spindle_seen_v_last = 0.0;
+            state->spindle_seen_v_before = 0.0;
+            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
+            spindle_forgets_3 = true;
+        }
+    } else {
+        spindle_forgets_3 = spindle_forgets_2;
+    }
     const bool spindle_may_act = state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     const bool spindle_is_seized =
         inputs->drive_on && !spindle_may_act && spindle_at_start_2 && state->spindle_cycles == 0u;
     const bool spindle_is_followed = spindle_at_start_2 && (!inputs->drive_on || spindle_may_act || spindle_is_seized);
     const bool spindle_is_known = axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
-    if (spindle_forgets_2 || (spindle_is_followed && !spindle_is_known)) {
+    if (spindle_forgets_3 || (spindle_is_followed && !spindle_is_known)) {
         state->spindle_seen_samples = 0u;
         state->spindle_seen_slow = 0u;
     }
@@ -605,8 +611,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     uint32_t spindle_sample_error;
     if (spindle_is_followed) {
         /* the block does not move the spindle yet: the commands follow it */
-        const bool spindle_is_found =
-            axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
+        const bool spindle_is_found = axis_s_spindle_axis_magnitude(inputs->x_actual) <= position_limit;
         if (spindle_is_known) {
             if (state->spindle_seen_samples == 0u) {
                 state->spindle_seen_v_last = inputs->v_actual;
@@ -692,8 +697,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 spindle_ahead_2 = inputs->x_actual;
             }
             double spindle_within_turn;
-            if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= axis_s_spindle_axis_below_full_turn
-                    && spindle_ahead_2 >= 0.0) {
+            if (spindle_ahead_2 >= 0.0 && spindle_ahead_2 <= axis_s_spindle_axis_below_full_turn) {
                 spindle_within_turn = spindle_ahead_2;
             } else {
                 const int32_t spindle_turns = (int32_t)(spindle_ahead_2 * per_turn);
@@ -757,11 +761,10 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
                 spindle_leads = false;
             } else if (spindle_needs_position
-                    && !(axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_position_limit)) {
+                    && !(axis_s_spindle_axis_magnitude(inputs->x_command) <= position_limit)) {
                 spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
                 spindle_leads = false;
-            } else if (spindle_needs_position
-                    && !(axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit)) {
+            } else if (spindle_needs_position && !(axis_s_spindle_axis_magnitude(inputs->x_actual) <= position_limit)) {
                 spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
                 spindle_leads = false;
             } else {
@@ -799,7 +802,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 if (spindle_cycle_control_3 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
                     state->spindle_x = inputs->x_command;
                     spindle_advances = false;
-                } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
+                } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= position_limit) {
                     state->spindle_x = inputs->x_actual;
                     spindle_advances = false;
                 } else {
@@ -868,8 +871,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 }
                 const bool spindle_is_settled = state->spindle_settled >= 3u;
                 const bool spindle_can_leave =
-                    spindle_is_settled
-                        && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
+                    spindle_is_settled && axis_s_spindle_axis_magnitude(inputs->x_actual) <= position_limit;
                 if (!spindle_is_known) {
                     spindle_sample_error_2 = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
                 } else if (spindle_is_settled && !spindle_can_leave) {
@@ -1040,8 +1042,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             spindle_ahead_3 = inputs->x_actual;
         }
         double spindle_within_turn_2;
-        if (axis_s_spindle_axis_magnitude(spindle_ahead_3) <= axis_s_spindle_axis_below_full_turn
-                && spindle_ahead_3 >= 0.0) {
+        if (spindle_ahead_3 >= 0.0 && spindle_ahead_3 <= axis_s_spindle_axis_below_full_turn) {
             spindle_within_turn_2 = spindle_ahead_3;
         } else if (axis_s_spindle_axis_magnitude(spindle_ahead_3) <= counted_limit) {
             const int32_t spindle_turns_2 = (int32_t)(spindle_ahead_3 * per_turn);
@@ -1072,7 +1073,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     }
     const double spindle_angle = state->spindle_x;
     double spindle_within_turn_3;
-    if (axis_s_spindle_axis_magnitude(spindle_angle) <= axis_s_spindle_axis_below_full_turn && spindle_angle >= 0.0) {
+    if (spindle_angle >= 0.0 && spindle_angle <= axis_s_spindle_axis_below_full_turn) {
         spindle_within_turn_3 = spindle_angle;
     } else if (axis_s_spindle_axis_magnitude(spindle_angle) <= counted_limit) {
         const int32_t spindle_turns_3 = (int32_t)(spindle_angle * per_turn);
@@ -1140,8 +1141,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                         || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
                         || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
                     && axis_s_spindle_axis_magnitude(state->spindle_request0_speed) <= axis_s_spindle_axis_sample_limit
-                    && axis_s_spindle_axis_magnitude(state->spindle_request0_position)
-                    <= axis_s_spindle_axis_position_limit;
+                    && axis_s_spindle_axis_magnitude(state->spindle_request0_position) <= position_limit;
             if (!spindle_is_intact_2) {
                 /* the request was corrupted */
                 state->spindle_request0_kind = AXIS_S_SPINDLE_AXIS_JOB_STOP;
@@ -1549,6 +1549,9 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
      * deg/s] */
     static const double spindle_v_usual_velocity = 1288488959.7;
 
+    /* constants that do not depend on the axis */
+    static const double squares_limit = 4.9e29; /* square of the largest magnitude of a position, and of a speed of a usual cycle */
+
     if (state->spindle_usual == axis_s_spindle_axis_usual_position
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
             && !inputs->m3 && !inputs->m4 && !inputs->m5 && !inputs->m19 && !inputs->putax && !inputs->g74
@@ -1558,11 +1561,10 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
                 || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
                 || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
                 || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
-            && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
-            && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= axis_s_spindle_axis_position_limit
+            && axis_s_spindle_axis_magnitude(state->spindle_present_speed * state->spindle_present_speed
+            + state->spindle_present_position * state->spindle_present_position) <= squares_limit
             && axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= spindle_v_usual_position
-            && axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_below_full_turn
-            && inputs->x_command >= 0.0
+            && inputs->x_command >= 0.0 && inputs->x_command <= axis_s_spindle_axis_below_full_turn
             && (axis_s_spindle_axis_magnitude(inputs->x_command - inputs->x_actual) <= axis_s_spindle_axis_certain_lag
                 || axis_s_spindle_axis_magnitude(inputs->x_command - inputs->x_actual - axis_s_spindle_axis_full_turn)
                 <= axis_s_spindle_axis_certain_lag
@@ -1668,11 +1670,10 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
                 || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
                 || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
                 || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
-            && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
-            && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= axis_s_spindle_axis_position_limit
+            && axis_s_spindle_axis_magnitude(state->spindle_present_speed * state->spindle_present_speed
+            + state->spindle_present_position * state->spindle_present_position) <= squares_limit
             && axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= spindle_v_usual_velocity
-            && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_below_full_turn
-            && inputs->x_actual >= 0.0) {
+            && inputs->x_actual >= 0.0 && inputs->x_actual <= axis_s_spindle_axis_below_full_turn) {
         /* the fast path of VELOCITY: nothing is requested, and all samples are valid */
         state->spindle_x = inputs->x_actual;
         state->spindle_v = inputs->v_interpolator;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   9bbae620d0e1606612da4501cba48f99
- * checksum    1fbf68f5ca8cfc82e09802fa88dfa9c8
+ * structure   0249f1fbcaeb9c019e66f27e4e994da4
+ * checksum    9a67d386e0b4b3a07745c52fcf14c0ba
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -39,10 +39,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x9bbae620u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xd0e16066u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x12da4501u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0xcba48f99u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x0249f1fbu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xcaeb9c01u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x9e66f27eu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x4e994da4u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u

@@ -96,7 +96,9 @@ fn describe_argument(
         *mutates |= reference.mutability.is_some();
         // `&*state`: the function only reads the parameter that the caller may change.
         let of = match &*reference.expr {
-            Expr::Unary(syn::ExprUnary { op: syn::UnOp::Deref(_), expr, .. }) if borrowed(expr, scope).is_some() => expr,
+            Expr::Unary(syn::ExprUnary { op: syn::UnOp::Deref(_), expr, .. }) if borrowed(expr, scope).is_some() => {
+                expr
+            }
             of => of,
         };
         let place = place::describe(of, scope, rejections);

@@ -24,9 +24,7 @@ pub fn coefficients(p: &Parameters) -> Coeffs<f64> {
     let weight = if p.in_cnc { 0.0 } else { p.w };
     let lag = if p.only_velocity { 0.0 } else { (1.0 - weight) / p.kv };
     let half_turn = (180_000.0 / p.cycle).next_down();
-    // A little below the end of the process data.
-    let in_process_data = 0.999_999 * f64::from(highest) / p.velocity_scale;
-    let v_usual = if p.in_cnc { 1e15 } else { in_process_data.smaller(1e15) };
+    let v_usual = if p.in_cnc { 1e15 } else { (0.999_999 * f64::from(highest) / p.velocity_scale).smaller(1e15) };
     Coeffs {
         cycle_time_ns: p.cycle_ns,
         cycle_time: p.cycle,
