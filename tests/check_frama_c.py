@@ -4,8 +4,8 @@
 Assumed: a bool is 0 or 1 (C makes it so of any value that is assigned); the three structs and the set do not overlap; any real, NaN and
 the infinities among them, is allowed everywhere but as the operand of a conversion.
 
-Eva does not conclude from a comparison that a value is a number, nor from |x| <= limit what x is. So that question is written for it in
-a way that says the same: x == x and -limit <= x and x <= limit.
+Eva does not conclude from a comparison that a value is a number, nor from |x| <= limit what x is. So these questions are written for it
+in a way that says the same: x == x and -limit <= x and x <= limit; x == x and x >= 0 and x <= limit.
 """
 
 import re
@@ -16,6 +16,7 @@ from pathlib import Path
 
 OPTIONS = ("-c11 -machdep x86_64 -cpp-extra-args=-U__GNUC__ -warn-special-float none -no-warn-invalid-bool "
            "-eva -eva-precision 1 -eva-slevel 8 -eva-msg-key=-final-states,-initial-state").split()
+FROM_ZERO = re.compile(r"([\w.>-]+) >= 0\.0f? && \1 <= ")
 LIMIT = re.compile(r"\s*<= (-?[\w.]+(?:->[\w.]+)?(?:\[\d+\])?(?:e-?\d+f?)?)")
 DRIVER = """#include "{file}"
 volatile {name}_state any_state;
@@ -59,7 +60,7 @@ def driver(source: Path) -> Path:
     params = f"volatile {name}_params any_params;" if has_set else ""
     offer = f"inputs.params = (void *)&any_params;" if has_set else ""
     model = source.with_name(name + "_model.c")
-    model.write_text(asked_apart(text, name + "_magnitude("))
+    model.write_text(asked_apart(FROM_ZERO.sub(r"\1 == \1 && \g<0>", text), name + "_magnitude("))
     program = source.with_name(name + "_eva.c")
     program.write_text(DRIVER.format(file=model.name, name=name, params=params, offer=offer))
     return program

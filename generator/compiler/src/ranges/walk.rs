@@ -75,8 +75,13 @@ impl<'p> Walk<'p> {
                     let mark = self.known.mark();
                     let choice = self.choices;
                     self.choices += 1;
+                    let stays = guards(condition, then);
                     let branches = [(then, true), (otherwise, false)].map(|(branch, answer)| {
-                        let is_reached = self.learn(condition, answer);
+                        let mut is_reached = self.learn(condition, answer);
+                        if !is_reached && stays {
+                            self.changes(mark, false);
+                            is_reached = true;
+                        }
                         if is_reached {
                             self.list(branch);
                         } else {
@@ -84,7 +89,8 @@ impl<'p> Walk<'p> {
                         }
                         self.changes(mark, is_reached)
                     });
-                    if let ([Some(_), None] | [None, Some(_)], false) = (&branches, self.selects(condition)) {
+                    let is_decided = branches[0].is_some() != branches[1].is_some();
+                    if is_decided && !self.selects(condition) {
                         self.decided.push((choice, branches[0].is_some()));
                     }
                     self.known.merge(branches);
@@ -323,4 +329,16 @@ fn real_of(number: i64, kind: RealKind) -> f64 {
 fn choices(list: &[Statement]) -> usize {
     let of = |statement: &Statement| statement.branches().map(|list| choices(list)).sum::<usize>();
     list.iter().map(|statement| of(statement) + usize::from(matches!(statement, Statement::If { .. }))).sum()
+}
+
+/// Whether the condition is the range test of a number that the branch converts. Both branches stay: other tools do not see its answer.
+fn guards(condition: &Expr, branch: &[Statement]) -> bool {
+    let Expr::Intrinsic(Intrinsic::InRange | Intrinsic::Within, tested) = condition else { return false };
+    let Expr::Var(number) = tested[0] else { return false };
+    branch.iter().any(|statement| match statement {
+        Statement::Assign { value: Expr::Intrinsic(Intrinsic::Nearest | Intrinsic::Truncate, converted), .. } => {
+            converted[0].mentions(number)
+        }
+        _ => false,
+    })
 }

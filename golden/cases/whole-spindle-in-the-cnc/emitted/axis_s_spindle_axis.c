@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
  * structure   0249f1fbcaeb9c019e66f27e4e994da4
- * checksum    2ddd646e1c6bfea20cdadfb0a8453208
+ * checksum    9f1b877c9bbc673e8368f6ff6e78ea15
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -117,6 +117,16 @@ static const double axis_s_spindle_axis_axis_position_control_kv = 100.0; /* gai
 /* 10000000/360 increments at 1000 deg/min (P-AXIS-00129/00128) */
 /* manipulated variable: increments for 1 0.001 deg/s */
 static const double axis_s_spindle_axis_axis_position_control_manipulated_scale = 1.6666666666666667;
+
+/* process data of 32 bits */
+/* smallest value of the process data */
+static const int32_t axis_s_spindle_axis_position_control_manipulated_range_lowest = (-2147483647 - 1);
+/* largest value of the process data */
+static const int32_t axis_s_spindle_axis_position_control_manipulated_range_highest = 2147483647;
+/* smallest number that is rounded to the smallest value */
+static const double axis_s_spindle_axis_manipulated_range_lower_limit = -2147483648.4999995;
+/* largest number that is rounded to the largest value */
+static const double axis_s_spindle_axis_manipulated_range_upper_limit = 2147483647.4999998;
 
 /* constants that do not depend on the axis */
 /* the usual cycle (fast path) of POSITION may be next; the codes differ in several bits, so that a flipped bit
@@ -264,14 +274,6 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
 
     /* fade from OFF to ON: 0.1 s (key fade) */
     static const double axis_ipc_fade_step = 0.01; /* 1 / fade_cycles */
-
-    /* process data of 32 bits */
-    static const int32_t axis_position_control_manipulated_range_lowest = (-2147483647 - 1); /* smallest value of the process data */
-    static const int32_t axis_position_control_manipulated_range_highest = 2147483647; /* largest value of the process data */
-    /* smallest number that is rounded to the smallest value */
-    static const double axis_position_control_manipulated_range_lower_limit = -2147483648.4999995;
-    /* largest number that is rounded to the largest value */
-    static const double axis_position_control_manipulated_range_upper_limit = 2147483647.4999998;
 
     /* constants that do not depend on the axis */
     /* largest magnitude of a position in range: its number of turns fits in 32 bits */
@@ -699,7 +701,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             double spindle_within_turn;
             if (spindle_ahead_2 >= 0.0 && spindle_ahead_2 <= axis_s_spindle_axis_below_full_turn) {
                 spindle_within_turn = spindle_ahead_2;
-            } else {
+            } else if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= counted_limit) {
                 const int32_t spindle_turns = (int32_t)(spindle_ahead_2 * per_turn);
                 const double spindle_rest = spindle_ahead_2 - (double)spindle_turns * axis_s_spindle_axis_full_turn;
                 double spindle_above;
@@ -713,6 +715,9 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 } else {
                     spindle_within_turn = spindle_above;
                 }
+            } else {
+                /* reached only if the block's memory was corrupted */
+                spindle_within_turn = 0.0;
             }
             state->spindle_x = spindle_within_turn;
         } else if (inputs->drive_on) {
@@ -1360,7 +1365,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             axis_ipc_runs = false;
             axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_MODE;
         }
-        bool axis_limited;
+        bool axis_limited_2;
         double axis_ipc_v_add;
         bool axis_ipc_fault;
         uint32_t axis_ipc_error_id;
@@ -1388,7 +1393,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 } else {
                     axis_ipc_v_limited = axis_ipc_v_stage0_2;
                 }
-                axis_limited = false;
+                axis_limited_2 = false;
             } else {
                 if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_2) <= axis_s_spindle_axis_axis_ipc_sum_limit) {
                     if (axis_ipc_v_stage0_2 > 0.0) {
@@ -1402,7 +1407,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                     state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
                     axis_ipc_v_limited = 0.0;
                 }
-                axis_limited = true;
+                axis_limited_2 = true;
             }
             if (axis_ipc_fade < axis_s_spindle_axis_axis_ipc_fade_cycles) {
                 if (axis_ipc_fade > 0u) {
@@ -1425,7 +1430,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             axis_ipc_fault = axis_ipc_reason != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
             axis_ipc_v_add = 0.0;
             outputs->v_add_calculated = 0.0;
-            axis_limited = false;
+            axis_limited_2 = false;
             axis_ipc_error_id = axis_ipc_reason;
         }
         outputs->v_add = axis_ipc_v_add;
@@ -1441,24 +1446,24 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         const double axis_position_control_v_drive_2 = axis_v_controller_2 + axis_ipc_v_add;
         const double axis_position_control_increments_2 =
             axis_s_spindle_axis_axis_position_control_manipulated_scale * axis_position_control_v_drive_2;
-        bool axis_position_control_limited;
+        bool axis_position_control_limited_2;
         if (axis_s_spindle_axis_magnitude(axis_position_control_increments_2)
-                <= axis_position_control_manipulated_range_upper_limit) {
+                <= axis_s_spindle_axis_manipulated_range_upper_limit) {
             outputs->manipulated_variable = axis_s_spindle_axis_nearest(axis_position_control_increments_2);
-            axis_position_control_limited = false;
+            axis_position_control_limited_2 = false;
         } else if (axis_position_control_increments_2 > 0.0) {
-            outputs->manipulated_variable = axis_position_control_manipulated_range_highest;
-            axis_position_control_limited = true;
+            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
+            axis_position_control_limited_2 = true;
         } else if (axis_position_control_increments_2 < 0.0) {
-            axis_position_control_limited =
-                axis_position_control_increments_2 < axis_position_control_manipulated_range_lower_limit;
-            outputs->manipulated_variable = axis_position_control_manipulated_range_lowest;
+            axis_position_control_limited_2 =
+                axis_position_control_increments_2 < axis_s_spindle_axis_manipulated_range_lower_limit;
+            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
         } else {
             /* reached only by NaN, which samples in range never produce: the output is 0 */
             outputs->manipulated_variable = 0;
-            axis_position_control_limited = true;
+            axis_position_control_limited_2 = true;
         }
-        outputs->limited = axis_position_control_limited || axis_limited;
+        outputs->limited = axis_position_control_limited_2 || axis_limited_2;
         uint32_t error_now;
         if (axis_fault) {
             error_now = axis_error_id_2;
@@ -1518,15 +1523,15 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         outputs->v_command = command_v_command;
         const double open_increments_2 =
             axis_s_spindle_axis_axis_position_control_manipulated_scale * command_v_command;
-        if (axis_s_spindle_axis_magnitude(open_increments_2) <= axis_position_control_manipulated_range_upper_limit) {
+        if (axis_s_spindle_axis_magnitude(open_increments_2) <= axis_s_spindle_axis_manipulated_range_upper_limit) {
             outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments_2);
             outputs->limited = false;
         } else if (open_increments_2 > 0.0) {
-            outputs->manipulated_variable = axis_position_control_manipulated_range_highest;
+            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
             outputs->limited = true;
         } else if (open_increments_2 < 0.0) {
-            outputs->limited = open_increments_2 < axis_position_control_manipulated_range_lower_limit;
-            outputs->manipulated_variable = axis_position_control_manipulated_range_lowest;
+            outputs->limited = open_increments_2 < axis_s_spindle_axis_manipulated_range_lower_limit;
+            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
         } else {
             /* reached only by NaN, which samples in range never produce: the output is 0 */
             outputs->manipulated_variable = 0;
@@ -1633,15 +1638,15 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
                 - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 * axis_ipc_stage0_filter0_section0_y;
         const double axis_ipc_v_stage0 = axis_s_spindle_axis_axis_ipc_stage0_gain * axis_ipc_stage0_filter0_section0_y;
         double axis_ipc_v_add_calculated;
+        bool axis_limited;
         if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_limit) {
-            outputs->limited = false;
             if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_rest) {
                 axis_ipc_v_add_calculated = 0.0;
             } else {
                 axis_ipc_v_add_calculated = axis_ipc_v_stage0;
             }
+            axis_limited = false;
         } else {
-            outputs->limited = true;
             if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_sum_limit) {
                 if (axis_ipc_v_stage0 > 0.0) {
                     axis_ipc_v_add_calculated = axis_s_spindle_axis_axis_ipc_limit;
@@ -1654,13 +1659,31 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
                 state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
                 axis_ipc_v_add_calculated = 0.0;
             }
+            axis_limited = true;
         }
+        outputs->v_add_calculated = axis_ipc_v_add_calculated;
+        outputs->v_add = axis_ipc_v_add_calculated;
         const double axis_position_control_v_drive = axis_v_controller + axis_ipc_v_add_calculated;
         const double axis_position_control_increments =
             axis_s_spindle_axis_axis_position_control_manipulated_scale * axis_position_control_v_drive;
-        outputs->manipulated_variable = axis_s_spindle_axis_nearest(axis_position_control_increments);
-        outputs->v_add = axis_ipc_v_add_calculated;
-        outputs->v_add_calculated = axis_ipc_v_add_calculated;
+        bool axis_position_control_limited;
+        if (axis_s_spindle_axis_magnitude(axis_position_control_increments)
+                <= axis_s_spindle_axis_manipulated_range_upper_limit) {
+            outputs->manipulated_variable = axis_s_spindle_axis_nearest(axis_position_control_increments);
+            axis_position_control_limited = false;
+        } else if (axis_position_control_increments > 0.0) {
+            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
+            axis_position_control_limited = true;
+        } else if (axis_position_control_increments < 0.0) {
+            axis_position_control_limited =
+                axis_position_control_increments < axis_s_spindle_axis_manipulated_range_lower_limit;
+            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
+        } else {
+            /* reached only by NaN, which samples in range never produce: the output is 0 */
+            outputs->manipulated_variable = 0;
+            axis_position_control_limited = true;
+        }
+        outputs->limited = axis_position_control_limited || axis_limited;
     } else if (state->spindle_usual == axis_s_spindle_axis_usual_velocity
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
             && !inputs->m3 && !inputs->m4 && !inputs->m5 && !inputs->m19 && !inputs->putax && !inputs->g74
