@@ -172,7 +172,7 @@ impl<'p> Conditions<'p> {
         Some(Bound { of, limit })
     }
 
-    /// Whether the answer to one question implies the same answer to another one: the same, or another bound of the same magnitude.
+    /// Whether the answer to one question implies the same answer to another one, which may be another bound of its magnitude.
     pub(super) fn implies(&self, known: usize, holds: bool, question: usize) -> bool {
         known == question
             || match (self.questions[known].bound, self.questions[question].bound) {

@@ -1,5 +1,5 @@
-//! Answers the conditions that have one answer only, whatever state, inputs and sets contain. The passes then leave out what cannot
-//! be reached.
+//! Answers the conditions that have one answer only, whatever state, inputs and sets contain. The passes then leave out what
+//! cannot be reached.
 
 use crate::pass::{self, Defect};
 use crate::program::{Expr, Program, Statement};

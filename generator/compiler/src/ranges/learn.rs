@@ -140,19 +140,21 @@ impl Walk<'_> {
                 Value::Real(interval) => self.restrict(operand, Value::Real(interval.negated())),
                 _ => true,
             },
-            Expr::Binary(operator @ (Binary::Add | Binary::Subtract | Binary::Multiply), left, right) if matches!(to, Value::Real(interval) if interval.is_finite()) =>
-            {
-                let Value::Real(result) = to else { return true };
-                !self.value(expr).meet(to, &self.known.names).is_none()
-                    && self.restrict_operands(*operator, left, right, result)
-            }
-            _ => !self.value(expr).meet(to, &self.known.names).is_none(),
+            _ if self.value(expr).meet(to, &self.known.names).is_none() => false,
+            Expr::Binary(operator, left, right) => match to {
+                Value::Real(result) if result.is_finite() => self.restrict_operands(*operator, left, right, result),
+                _ => true,
+            },
+            _ => true,
         }
     }
 
-    /// An operation has one of these finite results only: that excludes an infinity or NaN as an operand, and of a sum or difference
-    /// limits each operand by the other one.
+    /// An operation has one of these finite results only. A sum, difference or product then has no infinity or NaN as an operand;
+    /// each operand of a sum or difference is limited by the other one.
     fn restrict_operands(&mut self, operator: Binary, left: &Expr, right: &Expr, result: Interval) -> bool {
+        if !matches!(operator, Binary::Add | Binary::Subtract | Binary::Multiply) {
+            return true;
+        }
         let kind = self.program.real;
         let finite = Value::Real(Interval::finite(kind));
         if !(self.restrict(left, finite) && self.restrict(right, finite)) {

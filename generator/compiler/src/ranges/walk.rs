@@ -79,6 +79,7 @@ impl<'p> Walk<'p> {
                     let branches = [(then, true), (otherwise, false)].map(|(branch, answer)| {
                         let mut is_reached = self.learn(condition, answer);
                         if !is_reached && stays {
+                            // With what is known before the condition.
                             self.changes(mark, false);
                             is_reached = true;
                         }
@@ -100,8 +101,8 @@ impl<'p> Walk<'p> {
         }
     }
 
-    /// Whether the condition asks for one number of several: a chain of such questions becomes an array or a choice, also where its
-    /// last one has one answer only.
+    /// Whether the condition asks for one number of several: a chain of such questions becomes an array or a choice, also where
+    /// its last one has one answer only.
     fn selects(&self, condition: &Expr) -> bool {
         matches!(condition, Expr::Binary(Binary::Equal, left, _) if !matches!(left.ty(self.program), Type::Real | Type::Bool))
     }
@@ -331,7 +332,8 @@ fn choices(list: &[Statement]) -> usize {
     list.iter().map(|statement| of(statement) + usize::from(matches!(statement, Statement::If { .. }))).sum()
 }
 
-/// Whether the condition is the range test of a number that the branch converts. Both branches stay: other tools do not see its answer.
+/// Whether the condition is the range test of a number that the branch converts. Both branches stay: other tools do not see
+/// its answer.
 fn guards(condition: &Expr, branch: &[Statement]) -> bool {
     let Expr::Intrinsic(Intrinsic::InRange | Intrinsic::Within, tested) = condition else { return false };
     let Expr::Var(number) = tested[0] else { return false };
