@@ -1,6 +1,6 @@
 //! Angles of a modulo axis, in 0.001 deg. No state.
 
-use portable::{Real, from_i32, in_range, nearest, note, portable, truncate};
+use portable::{Real, from_i32, in_range, nearest, note, portable, truncate, within};
 
 const TURNS: f64 = 1.0 / 360_000.0;
 
@@ -15,6 +15,11 @@ constants! {
     pub fn counted_limit<R: Real>() -> R { R::per_kind(7.1e14, 2.0e9) }
     /// largest angle below a full turn [0.001 deg]
     pub fn below_full_turn<R: Real>() -> R { R::per_kind(359_999.999_999_999_94, 359_999.97) }
+    /// half a turn [0.001 deg]
+    pub fn half_turn<R: Real>() -> R { R::lit(180_000.0) }
+    /// up to this angle the lag is certain, whatever the previous one was: from the largest lag it would take more than 130 deg in
+    /// a cycle to be here the other way round [0.001 deg]
+    pub fn certain_lag<R: Real>() -> R { R::lit(60_000.0) }
 }
 
 /// Whether 0 <= angle < full_turn. False for a NaN, which is compared by `in_range` only.
@@ -54,4 +59,24 @@ pub fn shortest<R: Real>(distance: R) -> R {
         note("reached only if the block's memory was corrupted");
     }
     shorter
+}
+
+/// Whether the lag of two positions is certain. One of them may have passed 0.
+#[portable]
+pub fn is_certain<R: Real>(x_command: R, x_actual: R) -> bool {
+    in_range(x_command - x_actual, certain_lag())
+        || in_range(x_command - x_actual - full_turn(), certain_lag())
+        || in_range(x_command - x_actual + full_turn(), certain_lag())
+}
+
+/// The lag of two positions with this difference, if it is certain.
+#[portable]
+pub fn certain<R: Real>(difference: R) -> R {
+    if within(difference, certain_lag()) {
+        difference
+    } else if difference > R::ZERO {
+        difference - full_turn()
+    } else {
+        difference + full_turn()
+    }
 }

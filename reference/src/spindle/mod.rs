@@ -30,7 +30,7 @@ pub use signals::{Inputs, Outputs};
 pub use start::hold_back;
 pub use state::{Coeffs, Cycle, Seen, SpindleState, State, usual_none};
 pub use usual::{
-    certain_lag, is_certain, remain_in_position, remain_in_velocity, stays_in_position, stays_in_velocity,
+    remain_in_brake, remain_in_position, remain_in_velocity, stays_in_brake, stays_in_position, stays_in_velocity,
 };
 
 use crate::angle::wrapped;
@@ -257,6 +257,8 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         remain_in_position(state, coeffs, inputs, outputs);
     } else if stays_in_velocity(&*state, coeffs, inputs) {
         remain_in_velocity(state, coeffs, inputs, outputs);
+    } else if stays_in_brake(&*state, coeffs, inputs) {
+        remain_in_brake(state, coeffs, inputs, outputs);
     } else {
         note("any other cycle: requests, changes of the state, missing samples, errors");
         any_cycle(state, coeffs, inputs, outputs);

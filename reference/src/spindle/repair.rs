@@ -49,10 +49,10 @@ pub fn is_request<R: Real>(request: &Request<R>) -> bool {
     is_job(request) && in_range(request.speed, sample_limit()) && in_range(request.position, position_limit())
 }
 
-/// Whether the job is one that a usual cycle outputs: one comparison limits both numbers.
+/// Whether a usual cycle may output the numbers of the job: one comparison limits both.
 #[portable]
-pub fn is_usual_job<R: Real>(request: &Request<R>) -> bool {
-    is_job(request) && in_range(request.speed * request.speed + request.position * request.position, squares_limit())
+pub fn has_usual_numbers<R: Real>(request: &Request<R>) -> bool {
+    in_range(request.speed * request.speed + request.position * request.position, squares_limit())
 }
 
 /// square of the largest magnitude of a position, and of a speed of a usual cycle

@@ -54,7 +54,7 @@ pub struct Coeffs<R> {
     /// largest velocity of a usual cycle (fast path) of POSITION: below Von and v_largest, with the velocity command within its
     /// range [0.001 deg/s]
     pub v_usual_position: R,
-    /// largest velocity of a usual cycle (fast path) of VELOCITY: the velocity command is within its range [0.001 deg/s]
+    /// largest velocity of a usual cycle (fast path) of VELOCITY or BRAKE: the velocity command is within its range [0.001 deg/s]
     pub v_usual_velocity: R,
     /// lead of the position command over the actual position where position control begins [s]
     pub lead_time: R,
@@ -133,7 +133,7 @@ pub struct State<R> {
     pub request: [Request<R>; 4],
     /// the request inputs of the last cycle
     pub before: Before,
-    /// code of the usual cycle (fast path) that may be next: POSITION or VELOCITY without any request
+    /// code of the usual cycle (fast path) that may be next: POSITION, VELOCITY or BRAKE without any request
     pub usual: u32,
     /// the rate of the calls
     pub call_rate: call_rate::State,
@@ -146,6 +146,8 @@ constants! {
     pub fn usual_position() -> u32 { 0x5555u32 }
     /// the usual cycle (fast path) of VELOCITY may be next
     pub fn usual_velocity() -> u32 { 0xAAAAu32 }
+    /// the usual cycle (fast path) of BRAKE may be next
+    pub fn usual_brake() -> u32 { 0x3333u32 }
 }
 
 /// The actual velocity of a spindle that the block does not move yet.

@@ -1,25 +1,29 @@
-//! The usual cycle: POSITION or VELOCITY with valid samples, without a request, waiting job or error, and with a position
+//! The usual cycle: POSITION, VELOCITY or BRAKE with valid samples, without a request, waiting job or error, and with a position
 //! within one turn. It has the same result as `any_cycle` with fewer checks. No transition.
 
 use super::change::is_displayed;
+use super::motion::{advance, slow_down};
 use super::put_out::{put_out_job, put_out_mode};
-use super::repair::is_usual_job;
+use super::repair::{has_usual_numbers, is_job};
+use super::request::Job;
 use super::signals::{Inputs, Outputs};
-use super::state::{Coeffs, SpindleState, State, usual_none, usual_position, usual_velocity};
-use crate::angle::{full_turn, is_within_turn};
+use super::state::{Coeffs, SpindleState, State, usual_brake, usual_none, usual_position, usual_velocity};
+use crate::angle::{below_full_turn, is_certain, is_within_turn, wrapped};
 use crate::call_rate;
-use crate::signal::error_none;
-use portable::{Real, in_range, nearest, note, portable};
+use crate::signal::{error_none, sample_limit};
+use portable::{Real, in_range, nearest, note, portable, within};
 
 /// The code of the usual cycle that may be next: that of a state without a transition.
 #[portable]
 pub fn next_usual<R: Real>(state: &State<R>) -> u32 {
-    let is_quiet =
-        state.lasting_error == error_none() && state.queued == 0u32 && !state.before.any && !state.takes_over;
-    if is_quiet && state.control == SpindleState::Position {
+    let is_quiet = state.lasting_error == error_none() && !state.before.any;
+    let is_led = is_quiet && state.queued == 0u32 && !state.takes_over;
+    if is_led && state.control == SpindleState::Position {
         usual_position()
-    } else if is_quiet && state.control == SpindleState::Velocity && !state.returns {
+    } else if is_led && state.control == SpindleState::Velocity && !state.returns {
         usual_velocity()
+    } else if is_quiet && state.control == SpindleState::Brake {
+        usual_brake()
     } else {
         usual_none()
     }
@@ -39,21 +43,6 @@ pub fn asks_nothing<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
         && !inputs.reset
 }
 
-/// Up to this angle the lag is certain, whatever the previous one was: from the largest lag it would take more than 130 deg in a
-/// cycle to be here the other way round [0.001 deg]
-#[portable]
-pub fn certain_lag<R: Real>() -> R {
-    R::lit(60_000.0)
-}
-
-/// Whether the lag of two positions is certain. One of them may have passed 0.
-#[portable]
-pub fn is_certain<R: Real>(x_command: R, x_actual: R) -> bool {
-    in_range(x_command - x_actual, certain_lag())
-        || in_range(x_command - x_actual - full_turn(), certain_lag())
-        || in_range(x_command - x_actual + full_turn(), certain_lag())
-}
-
 /// Whether the interpolator moves the spindle under position control, and continues to do so.
 #[portable]
 pub fn stays_in_position<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
@@ -61,7 +50,8 @@ pub fn stays_in_position<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: 
         && state.usual == usual_position()
         && asks_nothing(coeffs, inputs)
         && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
-        && is_usual_job(&state.present)
+        && is_job(&state.present)
+        && has_usual_numbers(&state.present)
         && in_range(inputs.v_interpolator, coeffs.v_usual_position)
         && is_within_turn(inputs.x_command)
         && (!coeffs.closes_loop || is_certain(inputs.x_command, inputs.x_actual))
@@ -74,9 +64,28 @@ pub fn stays_in_velocity<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: 
     state.usual == usual_velocity()
         && asks_nothing(coeffs, inputs)
         && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
-        && is_usual_job(&state.present)
+        && is_job(&state.present)
+        && has_usual_numbers(&state.present)
         && in_range(inputs.v_interpolator, coeffs.v_usual_velocity)
         && is_within_turn(inputs.x_actual)
+        && is_displayed(coeffs, inputs, coeffs.velocity_mode)
+}
+
+/// Whether the spindle brakes, and began this cycle faster than Voff. Requests may be waiting.
+#[portable]
+pub fn stays_in_brake<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
+    state.usual == usual_brake()
+        && asks_nothing(coeffs, inputs)
+        && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
+        && state.present.kind == Job::Stop
+        && has_usual_numbers(&state.present)
+        && state.queued <= 4u32
+        && state.cycles < coeffs.brake_cycles
+        && in_range(state.v, coeffs.v_usual_velocity)
+        && !within(state.v, coeffs.v_position_control_on)
+        && in_range(state.x, below_full_turn())
+        && state.x >= R::ZERO
+        && in_range(inputs.v_actual, sample_limit())
         && is_displayed(coeffs, inputs, coeffs.velocity_mode)
 }
 
@@ -116,7 +125,31 @@ pub fn remain_in_velocity<R: Real>(
     outputs.loop_closed = false;
 }
 
-/// The outputs of both usual cycles. The velocity command is within its range.
+/// BRAKE, down to Voff.
+#[portable]
+pub fn remain_in_brake<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    outputs: &mut Outputs<R>,
+) {
+    note("the fast path of BRAKE: nothing is requested, and the velocity is not yet at Voff");
+    call_rate::go_on(&mut state.call_rate, &coeffs.call_rate, inputs.cycle_counter);
+    state.cycles += 1u32;
+    state.settled = 0u32;
+    state.catches = false;
+    slow_down(state, coeffs, coeffs.v_position_control_on, coeffs.v_position_control_on_negative);
+    advance(state, coeffs);
+    let x_wrapped = wrapped(state.x);
+    state.x = x_wrapped;
+    put_out(state, coeffs, outputs);
+    put_out_mode(coeffs, outputs, state.asks_velocity);
+    outputs.waiting = state.queued;
+    outputs.spindle_state = SpindleState::Brake;
+    outputs.loop_closed = false;
+}
+
+/// The outputs of all usual cycles. The velocity command is within its range.
 #[portable]
 pub fn put_out<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>) {
     outputs.x_spindle = state.x;

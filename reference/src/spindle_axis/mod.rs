@@ -11,19 +11,25 @@
 
 #![expect(clippy::field_reassign_with_default, reason = "portable Rust makes a struct by its default alone")]
 
+mod closed_loop;
 mod held;
+mod open_loop;
+mod put_out;
 mod signals;
 
 pub use held::Command;
 pub use signals::{Inputs, Outputs};
 pub(crate) use signals::{inputs, outputs};
 
-use crate::angle::{full_turn, shortest};
+use crate::angle::certain;
 use crate::position_control::Location;
-use crate::signal::{error_lag, error_none, error_unstable, sample_limit};
-use crate::spindle::{SpindleState, certain_lag, is_certain};
-use crate::{axis, ipc, position_control, process_data, spindle};
-use portable::{Block, Enable, Real, copy, from_u32, in_range, nearest, note, portable, within};
+use crate::signal::error_none;
+use crate::spindle::SpindleState;
+use crate::{axis, ipc, spindle};
+use closed_loop::{close, give_up, lag_limit, lag_of};
+use open_loop::{open, remain_open};
+use portable::{Block, Enable, Real, copy, note, portable, within};
+use put_out::{put_out_changeover, put_out_velocity};
 
 /// Coefficients.
 #[portable]
@@ -80,279 +86,6 @@ pub fn follows_position<R: Real>(coeffs: &Coeffs<R>, control: SpindleState) -> b
 #[portable]
 pub fn is_in_cnc<R: Real>(coeffs: &Coeffs<R>) -> bool {
     coeffs.axis.position_control.location == Location::Cnc && !coeffs.spindle.only_velocity
-}
-
-/// largest position lag of a loop in the CNC: above half a turn the loop would turn the spindle the other way [0.001 deg]
-#[portable]
-pub fn lag_limit<R: Real>() -> R {
-    R::lit(170_000.0)
-}
-
-/// half a turn [0.001 deg]
-#[portable]
-pub fn half_turn<R: Real>() -> R {
-    R::lit(180_000.0)
-}
-
-/// The lag that continues from the previous one: beyond half a turn the shortest way would turn the spindle back. `missed` samples
-/// were missing, after the velocity `v_missed`: meanwhile the lag of a spindle that follows has not grown, and that of a blocked one
-/// by the whole way.
-#[portable]
-pub fn continued<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, difference: R, missed: u32, v_missed: R) -> R {
-    let mut lag = if within(difference, half_turn()) { difference } else { shortest(difference) };
-    if in_range(state.lag_before, lag_limit()) {
-        let mut expected = state.lag_before;
-        if missed > 0u32 {
-            if in_range(v_missed, sample_limit()) {
-                let half_cycles = from_u32::<R>(missed + 1u32) * R::lit(0.5);
-                expected = expected + v_missed * (coeffs.spindle.cycle_time * half_cycles);
-            } else {
-                note("reached only if the block's memory was corrupted");
-            }
-        }
-        let lag_step = lag - expected;
-        if lag_step > half_turn() {
-            lag = lag - full_turn();
-        } else if lag_step < -half_turn::<R>() {
-            lag = lag + full_turn();
-        }
-    } else {
-        note("reached only if the block's memory was corrupted");
-    }
-    lag
-}
-
-/// The lag of two positions with this difference, if it is certain.
-#[portable]
-pub fn angle<R: Real>(difference: R) -> R {
-    if within(difference, certain_lag()) {
-        difference
-    } else if difference > R::ZERO {
-        difference - full_turn()
-    } else {
-        difference + full_turn()
-    }
-}
-
-/// The lag in any cycle. `missed` samples were missing before it, after the velocity `v_missed`.
-#[portable]
-pub fn lag_of<R: Real>(
-    state: &State<R>,
-    coeffs: &Coeffs<R>,
-    inputs: &Inputs<R>,
-    x_spindle: R,
-    missed: u32,
-    v_missed: R,
-) -> R {
-    if missed == 0u32 && is_certain(x_spindle, inputs.x_actual) {
-        angle(x_spindle - inputs.x_actual)
-    } else {
-        continued(state, coeffs, x_spindle - inputs.x_actual, missed, v_missed)
-    }
-}
-
-/// The lag is near half a turn: the error stays, the loop opens in the next cycle, and the spindle brakes.
-#[portable]
-pub fn give_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>) {
-    let v_whole = held::whole(&state.held, coeffs);
-    spindle::hold_back(&mut state.spindle, v_whole);
-    state.spindle.lasting_error = error_lag();
-    state.spindle.usual = spindle::usual_none();
-    outputs.error_id = error_lag();
-    outputs.fault = true;
-}
-
-/// The axis follows the spindle's commands.
-#[portable]
-pub fn act<R: Real>(
-    state: &mut State<R>,
-    coeffs: &Coeffs<R>,
-    inputs: &Inputs<R>,
-    spindle_outputs: &spindle::Outputs<R>,
-    axis_outputs: &mut axis::Outputs<R>,
-    lag: R,
-) {
-    let mut axis_inputs = axis::Inputs::<R>::default();
-    axis_inputs.x_command = spindle_outputs.x_spindle;
-    if coeffs.axis.position_control.location == Location::Cnc {
-        state.lag_before = lag;
-        axis_inputs.following_error = lag;
-        axis_inputs.x_actual = spindle_outputs.x_spindle - lag;
-    }
-    axis_inputs.v_interpolator = spindle_outputs.v_spindle;
-    if spindle_outputs.spindle_state != SpindleState::ToPosition {
-        copy!(axis_inputs = inputs: a_interpolator, j_interpolator);
-    }
-    copy!(axis_inputs = inputs:
-        v_motor, v_direct, tuning_weight, tuning_limit, mode, feedforward_active, feedforward_percentage);
-    // A reset ends what is added, as everywhere; the position loop still holds the spindle.
-    let improves = spindle_outputs.loop_closed && !inputs.reset;
-    let v_additive = axis::act(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, improves);
-    held::keep(&mut state.held, coeffs, axis_outputs.v_command, v_additive);
-}
-
-/// Writes the outputs of the changeover.
-#[portable]
-pub fn put_out_changeover<R: Real>(spindle_outputs: &spindle::Outputs<R>, outputs: &mut Outputs<R>) {
-    copy!(outputs = spindle_outputs:
-        x_spindle, v_spindle, job_speed, job_position, spindle_state, job, job_number, waiting, operation_mode,
-        loop_closed);
-}
-
-/// Writes the velocity command of the drive, without the additive velocity of the feedforward: in the cycles of a change the drive
-/// may be in either mode, and in velocity control it adds both.
-#[portable]
-pub fn put_out_velocity<R: Real>(
-    coeffs: &Coeffs<R>,
-    spindle_outputs: &spindle::Outputs<R>,
-    outputs: &mut Outputs<R>,
-    v_additive: R,
-) {
-    if coeffs.spindle.in_drive && coeffs.spindle.has_feedforward {
-        let mut datum = process_data::Datum::default();
-        let command_increments = coeffs.spindle.velocity_scale * (spindle_outputs.v_spindle - v_additive);
-        process_data::round(&mut datum, &coeffs.spindle.velocity_range, command_increments);
-        outputs.velocity_command = datum.value;
-        if datum.limited {
-            outputs.limited = true;
-        }
-    } else {
-        outputs.velocity_command = spindle_outputs.velocity_command;
-    }
-}
-
-/// Writes the outputs of the axis.
-#[portable]
-pub fn put_out<R: Real>(
-    coeffs: &Coeffs<R>,
-    spindle_outputs: &spindle::Outputs<R>,
-    axis_outputs: &axis::Outputs<R>,
-    outputs: &mut Outputs<R>,
-) {
-    copy!(outputs = axis_outputs:
-        v_command, v_feedforward, v_add, v_add_calculated, x_drive, manipulated_variable, additive_torque,
-        additive_velocity, held, tripped);
-    // With feedforward another velocity may go out.
-    outputs.limited = if coeffs.spindle.in_drive && !coeffs.spindle.has_feedforward {
-        spindle_outputs.limited || axis_outputs.limited
-    } else {
-        axis_outputs.limited
-    };
-}
-
-/// Reports the id of the tripped watch if there is no fault.
-#[portable]
-pub fn tell_trip<R: Real>(coeffs: &Coeffs<R>, axis_outputs: &axis::Outputs<R>, outputs: &mut Outputs<R>) {
-    if coeffs.axis.ipc.watch.active && axis_outputs.tripped && !outputs.fault {
-        outputs.error_id = error_unstable();
-    }
-}
-
-/// The position loop is open: the axis only follows the position of the spindle.
-#[portable]
-pub fn follow<R: Real>(
-    state: &mut State<R>,
-    coeffs: &Coeffs<R>,
-    spindle_outputs: &spindle::Outputs<R>,
-    axis_outputs: &mut axis::Outputs<R>,
-) {
-    let mut axis_inputs = axis::Inputs::<R>::default();
-    axis_inputs.x_command = spindle_outputs.x_spindle;
-    axis::follow(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, error_none());
-}
-
-/// The velocity of an open loop, as process data.
-#[portable]
-pub fn command_velocity<R: Real>(coeffs: &Coeffs<R>, command: &Command<R>, axis_outputs: &mut axis::Outputs<R>) {
-    let mut control_outputs = position_control::Outputs::<R>::default();
-    if is_in_cnc(coeffs) {
-        axis_outputs.v_command = command.v_command;
-        let open_increments = coeffs.axis.position_control.manipulated_scale * command.v_command;
-        axis_outputs.manipulated_variable = position_control::rounded(
-            &mut control_outputs,
-            &coeffs.axis.position_control.manipulated_range,
-            open_increments,
-        );
-    }
-    if coeffs.axis.position_control.additive {
-        let added_increments = coeffs.axis.position_control.velocity_scale * command.v_additive;
-        axis_outputs.additive_velocity = position_control::rounded(
-            &mut control_outputs,
-            &coeffs.axis.position_control.velocity_range,
-            added_increments,
-        );
-    }
-    axis_outputs.limited = control_outputs.limited;
-}
-
-/// Writes the outputs of an open loop.
-#[portable]
-pub fn put_out_open<R: Real>(
-    coeffs: &Coeffs<R>,
-    spindle_outputs: &spindle::Outputs<R>,
-    axis_outputs: &axis::Outputs<R>,
-    outputs: &mut Outputs<R>,
-) {
-    put_out(coeffs, spindle_outputs, axis_outputs, outputs);
-    outputs.error_id = spindle_outputs.error_id;
-    outputs.fault = spindle_outputs.error_id != error_none();
-    tell_trip(coeffs, axis_outputs, outputs);
-}
-
-/// The drive gets only a velocity: that of the spindle, or while a sample is missing the last one.
-#[portable]
-pub fn open<R: Real>(
-    state: &mut State<R>,
-    coeffs: &Coeffs<R>,
-    spindle_outputs: &spindle::Outputs<R>,
-    outputs: &mut Outputs<R>,
-    command: &Command<R>,
-) {
-    let mut axis_outputs = axis::Outputs::<R>::default();
-    follow(state, coeffs, spindle_outputs, &mut axis_outputs);
-    command_velocity(coeffs, command, &mut axis_outputs);
-    put_out_open(coeffs, spindle_outputs, &axis_outputs, outputs);
-}
-
-/// The usual cycle of VELOCITY: the drive gets only the velocity of the spindle, which is within its range.
-#[portable]
-pub fn remain_open<R: Real>(
-    state: &mut State<R>,
-    coeffs: &Coeffs<R>,
-    spindle_outputs: &spindle::Outputs<R>,
-    outputs: &mut Outputs<R>,
-) {
-    let mut axis_outputs = axis::Outputs::<R>::default();
-    follow(state, coeffs, spindle_outputs, &mut axis_outputs);
-    if is_in_cnc(coeffs) {
-        axis_outputs.v_command = spindle_outputs.v_spindle;
-        let open_increments = coeffs.axis.position_control.manipulated_scale * spindle_outputs.v_spindle;
-        axis_outputs.manipulated_variable = nearest(open_increments);
-    }
-    put_out_open(coeffs, spindle_outputs, &axis_outputs, outputs);
-}
-
-/// Under position control: the axis acts.
-#[portable]
-pub fn close<R: Real>(
-    state: &mut State<R>,
-    coeffs: &Coeffs<R>,
-    inputs: &Inputs<R>,
-    spindle_outputs: &spindle::Outputs<R>,
-    outputs: &mut Outputs<R>,
-    lag: R,
-) {
-    let mut axis_outputs = axis::Outputs::<R>::default();
-    act(state, coeffs, inputs, spindle_outputs, &mut axis_outputs, lag);
-    put_out(coeffs, spindle_outputs, &axis_outputs, outputs);
-    let error_now = if axis_outputs.fault { axis_outputs.error_id } else { spindle_outputs.error_id };
-    outputs.error_id = error_now;
-    outputs.fault = error_now != error_none();
-    if coeffs.axis.ipc.tuning.active && error_now == error_none() {
-        note("not a fault: a tuning input is invalid, its last valid value stays active");
-        outputs.error_id = axis_outputs.error_id;
-    }
-    tell_trip(coeffs, &axis_outputs, outputs);
 }
 
 /// Any cycle. Only the samples that the spindle uses are checked.
@@ -419,7 +152,7 @@ pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
         spindle::remain_in_position(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);
         let mut lag = R::ZERO;
         if is_in_cnc(coeffs) {
-            lag = angle(spindle_outputs.x_spindle - inputs.x_actual);
+            lag = certain(spindle_outputs.x_spindle - inputs.x_actual);
         }
         close(state, coeffs, inputs, &spindle_outputs, outputs, lag);
         put_out_changeover(&spindle_outputs, outputs);
@@ -428,8 +161,11 @@ pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
         let mut spindle_outputs = spindle::Outputs::<R>::default();
         spindle::remain_in_velocity(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);
         remain_open(state, coeffs, &spindle_outputs, outputs);
-        put_out_changeover(&spindle_outputs, outputs);
-        outputs.velocity_command = spindle_outputs.velocity_command;
+    } else if spindle::stays_in_brake(&state.spindle, &coeffs.spindle, &spindle_inputs) {
+        let mut spindle_outputs = spindle::Outputs::<R>::default();
+        spindle::remain_in_brake(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);
+        held::keep_open(state, coeffs, spindle_outputs.v_spindle, R::ZERO);
+        remain_open(state, coeffs, &spindle_outputs, outputs);
     } else {
         note("any other cycle: requests, changes of the state, missing samples, errors");
         any_cycle(state, coeffs, inputs, &spindle_inputs, outputs);

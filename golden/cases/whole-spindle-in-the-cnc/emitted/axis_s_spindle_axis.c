@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   0249f1fbcaeb9c019e66f27e4e994da4
- * checksum    9f1b877c9bbc673e8368f6ff6e78ea15
+ * structure   c6ca3aa6a3dc1cbc4dc1cb76b538dfed
+ * checksum    032cf8c75dec8f4e5e5bcddc85db57b1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -76,6 +76,19 @@ AXGEN_CODE_SECTION static int32_t axis_s_spindle_axis_nearest(double value)
 /* cycle time 1000 us; the coefficients are valid only for this cycle time */
 /* cycle time that all coefficients were designed for [ns] */
 static const uint32_t axis_s_spindle_axis_spindle_cycle_time_ns = 1000000u;
+static const double axis_s_spindle_axis_spindle_cycle_time = 0.001; /* cycle time T [s] */
+
+/* Voff = 50 rpm (P-AXIS-00768) */
+/* Voff: at or below this speed the change to position control begins [0.001 deg/s] */
+static const double axis_s_spindle_axis_spindle_v_position_control_on = 300000.0;
+static const double axis_s_spindle_axis_spindle_v_position_control_on_negative = -300000.0; /* -Voff [0.001 deg/s] */
+
+/* deceleration 5000 rpm/s (key spindle.deceleration) */
+/* deceleration * T: largest change of the velocity in a cycle [0.001 deg/s] */
+static const double axis_s_spindle_axis_spindle_v_step = 30000.0;
+
+/* 1.08s (key spindle.brake_timeout); from the largest velocity (P-AXIS-00212) the ramp takes 290ms */
+static const uint32_t axis_s_spindle_axis_spindle_brake_cycles = 1080u; /* cycles within which the spindle has braked */
 
 /* weight of the whole feedforward 1/1 = 1 (P-AXIS-00228/00229) */
 static const double axis_s_spindle_axis_axis_feedforward_weight = 1.0; /* weight of the whole feedforward at 100 % */
@@ -133,7 +146,7 @@ static const double axis_s_spindle_axis_manipulated_range_upper_limit = 21474836
  * is detected */
 static const uint32_t axis_s_spindle_axis_usual_position = 21845u;
 static const double axis_s_spindle_axis_below_full_turn = 359999.99999999994; /* largest angle below a full turn [0.001 deg] */
-/* Up to this angle the lag is certain, whatever the previous one was: from the largest lag it would take more
+/* up to this angle the lag is certain, whatever the previous one was: from the largest lag it would take more
  * than 130 deg in a cycle to be here the other way round [0.001 deg] */
 static const double axis_s_spindle_axis_certain_lag = 60000.0;
 static const double axis_s_spindle_axis_full_turn = 360000.0; /* a full turn [0.001 deg] */
@@ -142,6 +155,10 @@ static const double axis_s_spindle_axis_sample_limit = 1000000000000000.0;
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double axis_s_spindle_axis_anti_denormal = 1.0e-30;
 static const uint32_t axis_s_spindle_axis_usual_velocity = 43690u; /* the usual cycle (fast path) of VELOCITY may be next */
+static const uint32_t axis_s_spindle_axis_usual_brake = 13107u; /* the usual cycle (fast path) of BRAKE may be next */
+/* largest magnitude of an angle whose turns are counted: more than half a turn above the position limit */
+static const double axis_s_spindle_axis_counted_limit = 710000000000000.0;
+static const double axis_s_spindle_axis_per_turn = 2.777777777777778e-6; /* 1 / full_turn */
 
 AXGEN_CODE_SECTION void axis_s_spindle_axis_init(axis_s_spindle_axis_state *fresh)
 {
@@ -231,26 +248,15 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     const axis_s_spindle_axis_inputs *restrict inputs,
     axis_s_spindle_axis_outputs *restrict outputs)
 {
-    /* cycle time 1000 us; the coefficients are valid only for this cycle time */
-    static const double spindle_cycle_time = 0.001; /* cycle time T [s] */
-
     /* Von = 200 rpm (P-AXIS-00767) */
     /* Von: M3 or M4 with a higher speed changes to velocity control [0.001 deg/s] */
     static const double spindle_v_velocity_control_on = 1200000.0;
-
-    /* Voff = 50 rpm (P-AXIS-00768) */
-    /* Voff: at or below this speed the change to position control begins [0.001 deg/s] */
-    static const double spindle_v_position_control_on = 300000.0;
-    static const double spindle_v_position_control_on_negative = -300000.0; /* -Voff [0.001 deg/s] */
 
     /* 1 rpm (key spindle.window) */
     /* by how much v_actual may lie outside 0 to v_spindle where position control is taken up [0.001 deg/s] */
     static const double spindle_window = 6000.0;
     /* Voff + window: a spindle that turns faster when the drive comes on is caught [0.001 deg/s] */
     static const double spindle_v_taken_up = 306000.0;
-
-    /* deceleration 5000 rpm/s (key spindle.deceleration) */
-    static const double spindle_v_step = 30000.0; /* deceleration * T: largest change of the velocity in a cycle [0.001 deg/s] */
 
     /* T + 1 / Kv, Kv = 100/s (P-AXIS-00099); an active feedforward shortens it */
     /* lead of the position command over the actual position where position control begins [s] */
@@ -269,9 +275,6 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     /* 100ms (key spindle.mode_timeout) and two cycles */
     static const uint32_t spindle_start_cycles = 102u; /* cycles within which position control begins after the drive is switched on */
 
-    /* 1.08s (key spindle.brake_timeout); from the largest velocity (P-AXIS-00212) the ramp takes 290ms */
-    static const uint32_t spindle_brake_cycles = 1080u; /* cycles within which the spindle has braked */
-
     /* fade from OFF to ON: 0.1 s (key fade) */
     static const double axis_ipc_fade_step = 0.01; /* 1 / fade_cycles */
 
@@ -281,9 +284,6 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     static const uint32_t largest_count = 4000000000u; /* upper bound of the cycle count of a state, above any permitted time */
     /* largest lead of the position command, above the need of any spindle [0.001 deg] */
     static const double lead_limit = 1000000000.0;
-    /* largest magnitude of an angle whose turns are counted: more than half a turn above the position limit */
-    static const double counted_limit = 710000000000000.0;
-    static const double per_turn = 2.777777777777778e-6; /* 1 / full_turn */
     static const uint32_t usual_none = 0u; /* no usual cycle (fast path) is next */
     static const double half_turn = 180000.0; /* half a turn [0.001 deg] */
     /* largest position lag of a loop in the CNC: above half a turn the loop would turn the spindle the other way
@@ -689,7 +689,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             } else {
                 spindle_lead_2 = spindle_lead_time;
             }
-            const double spindle_lead_shown = spindle_lead_2 - spindle_cycle_time;
+            const double spindle_lead_shown = spindle_lead_2 - axis_s_spindle_axis_spindle_cycle_time;
             const double spindle_way_2 = spindle_v_shown * spindle_lead_shown;
             double spindle_ahead_2;
             if (axis_s_spindle_axis_magnitude(spindle_way_2) <= lead_limit) {
@@ -698,30 +698,30 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 /* reached only if the block's memory was corrupted */
                 spindle_ahead_2 = inputs->x_actual;
             }
-            double spindle_within_turn;
+            double spindle_within_turn_2;
             if (spindle_ahead_2 >= 0.0 && spindle_ahead_2 <= axis_s_spindle_axis_below_full_turn) {
-                spindle_within_turn = spindle_ahead_2;
-            } else if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= counted_limit) {
-                const int32_t spindle_turns = (int32_t)(spindle_ahead_2 * per_turn);
-                const double spindle_rest = spindle_ahead_2 - (double)spindle_turns * axis_s_spindle_axis_full_turn;
-                double spindle_above;
-                if (spindle_rest < 0.0) {
-                    spindle_above = spindle_rest + axis_s_spindle_axis_full_turn;
+                spindle_within_turn_2 = spindle_ahead_2;
+            } else if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= axis_s_spindle_axis_counted_limit) {
+                const int32_t spindle_turns_2 = (int32_t)(spindle_ahead_2 * axis_s_spindle_axis_per_turn);
+                const double spindle_rest_2 = spindle_ahead_2 - (double)spindle_turns_2 * axis_s_spindle_axis_full_turn;
+                double spindle_above_2;
+                if (spindle_rest_2 < 0.0) {
+                    spindle_above_2 = spindle_rest_2 + axis_s_spindle_axis_full_turn;
                 } else {
-                    spindle_above = spindle_rest;
+                    spindle_above_2 = spindle_rest_2;
                 }
-                if (spindle_above >= axis_s_spindle_axis_full_turn) {
-                    spindle_within_turn = spindle_above - axis_s_spindle_axis_full_turn;
+                if (spindle_above_2 >= axis_s_spindle_axis_full_turn) {
+                    spindle_within_turn_2 = spindle_above_2 - axis_s_spindle_axis_full_turn;
                 } else {
-                    spindle_within_turn = spindle_above;
+                    spindle_within_turn_2 = spindle_above_2;
                 }
             } else {
                 /* reached only if the block's memory was corrupted */
-                spindle_within_turn = 0.0;
+                spindle_within_turn_2 = 0.0;
             }
-            state->spindle_x = spindle_within_turn;
+            state->spindle_x = spindle_within_turn_2;
         } else if (inputs->drive_on) {
-            state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+            state->spindle_x = state->spindle_x + state->spindle_v * axis_s_spindle_axis_spindle_cycle_time;
         } else {
             /* no action */
         }
@@ -775,10 +775,12 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             } else {
                 if (spindle_needs_position && state->spindle_takes_over) {
                     const double spindle_distance =
-                        inputs->x_command - (state->spindle_x + state->spindle_v * spindle_cycle_time);
+                        inputs->x_command
+                            - (state->spindle_x + state->spindle_v * axis_s_spindle_axis_spindle_cycle_time);
                     double spindle_shorter;
-                    if (axis_s_spindle_axis_magnitude(spindle_distance) <= counted_limit) {
-                        const int32_t spindle_whole_turns = axis_s_spindle_axis_nearest(spindle_distance * per_turn);
+                    if (axis_s_spindle_axis_magnitude(spindle_distance) <= axis_s_spindle_axis_counted_limit) {
+                        const int32_t spindle_whole_turns =
+                            axis_s_spindle_axis_nearest(spindle_distance * axis_s_spindle_axis_per_turn);
                         spindle_shorter =
                             spindle_distance - (double)spindle_whole_turns * axis_s_spindle_axis_full_turn;
                     } else {
@@ -863,7 +865,8 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                         spindle_v_along = inputs->v_actual;
                     }
                     spindle_has_slowed =
-                        axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_position_control_on
+                        axis_s_spindle_axis_magnitude(state->spindle_v)
+                            <= axis_s_spindle_axis_spindle_v_position_control_on
                             && spindle_v_along <= spindle_v_magnitude + spindle_window
                             && -spindle_v_along <= spindle_window;
                 } else {
@@ -884,7 +887,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 } else {
                     spindle_sample_error_2 = spindle_sample_error;
                 }
-                if (!spindle_can_leave && state->spindle_cycles > spindle_brake_cycles) {
+                if (!spindle_can_leave && state->spindle_cycles > axis_s_spindle_axis_spindle_brake_cycles) {
                     state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_BRAKE;
                     spindle_brakes = false;
                     spindle_advances = false;
@@ -983,19 +986,19 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         double spindle_v_end;
         double spindle_v_end_negative;
         if (spindle_brakes) {
-            spindle_v_end = spindle_v_position_control_on;
-            spindle_v_end_negative = spindle_v_position_control_on_negative;
+            spindle_v_end = axis_s_spindle_axis_spindle_v_position_control_on;
+            spindle_v_end_negative = axis_s_spindle_axis_spindle_v_position_control_on_negative;
         } else {
             spindle_v_end = 0.0;
             spindle_v_end_negative = 0.0;
         }
         if (state->spindle_v > spindle_v_end) {
-            state->spindle_v = state->spindle_v - spindle_v_step;
+            state->spindle_v = state->spindle_v - axis_s_spindle_axis_spindle_v_step;
             if (state->spindle_v < spindle_v_end) {
                 state->spindle_v = spindle_v_end;
             }
         } else if (state->spindle_v < spindle_v_end_negative) {
-            state->spindle_v = state->spindle_v + spindle_v_step;
+            state->spindle_v = state->spindle_v + axis_s_spindle_axis_spindle_v_step;
             if (state->spindle_v > spindle_v_end_negative) {
                 state->spindle_v = spindle_v_end_negative;
             }
@@ -1022,7 +1025,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         }
     }
     if (spindle_is_stopped || spindle_advances_2) {
-        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+        state->spindle_x = state->spindle_x + state->spindle_v * axis_s_spindle_axis_spindle_cycle_time;
     }
     if (spindle_resynchronises) {
         state->spindle_is_moving = true;
@@ -1046,28 +1049,28 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             /* reached only if the block's memory was corrupted */
             spindle_ahead_3 = inputs->x_actual;
         }
-        double spindle_within_turn_2;
+        double spindle_within_turn_3;
         if (spindle_ahead_3 >= 0.0 && spindle_ahead_3 <= axis_s_spindle_axis_below_full_turn) {
-            spindle_within_turn_2 = spindle_ahead_3;
-        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_3) <= counted_limit) {
-            const int32_t spindle_turns_2 = (int32_t)(spindle_ahead_3 * per_turn);
-            const double spindle_rest_2 = spindle_ahead_3 - (double)spindle_turns_2 * axis_s_spindle_axis_full_turn;
-            double spindle_above_2;
-            if (spindle_rest_2 < 0.0) {
-                spindle_above_2 = spindle_rest_2 + axis_s_spindle_axis_full_turn;
+            spindle_within_turn_3 = spindle_ahead_3;
+        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_3) <= axis_s_spindle_axis_counted_limit) {
+            const int32_t spindle_turns_3 = (int32_t)(spindle_ahead_3 * axis_s_spindle_axis_per_turn);
+            const double spindle_rest_3 = spindle_ahead_3 - (double)spindle_turns_3 * axis_s_spindle_axis_full_turn;
+            double spindle_above_3;
+            if (spindle_rest_3 < 0.0) {
+                spindle_above_3 = spindle_rest_3 + axis_s_spindle_axis_full_turn;
             } else {
-                spindle_above_2 = spindle_rest_2;
+                spindle_above_3 = spindle_rest_3;
             }
-            if (spindle_above_2 >= axis_s_spindle_axis_full_turn) {
-                spindle_within_turn_2 = spindle_above_2 - axis_s_spindle_axis_full_turn;
+            if (spindle_above_3 >= axis_s_spindle_axis_full_turn) {
+                spindle_within_turn_3 = spindle_above_3 - axis_s_spindle_axis_full_turn;
             } else {
-                spindle_within_turn_2 = spindle_above_2;
+                spindle_within_turn_3 = spindle_above_3;
             }
         } else {
             /* reached only if the block's memory was corrupted */
-            spindle_within_turn_2 = 0.0;
+            spindle_within_turn_3 = 0.0;
         }
-        state->spindle_x_start = spindle_within_turn_2;
+        state->spindle_x_start = spindle_within_turn_3;
     }
     if (spindle_resynchronises || spindle_next_2 != state->spindle_control) {
         state->spindle_control = spindle_next_2;
@@ -1076,32 +1079,32 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         state->spindle_settled = 0u;
         state->spindle_missing = 0u;
     }
-    const double spindle_angle = state->spindle_x;
-    double spindle_within_turn_3;
-    if (spindle_angle >= 0.0 && spindle_angle <= axis_s_spindle_axis_below_full_turn) {
-        spindle_within_turn_3 = spindle_angle;
-    } else if (axis_s_spindle_axis_magnitude(spindle_angle) <= counted_limit) {
-        const int32_t spindle_turns_3 = (int32_t)(spindle_angle * per_turn);
-        const double spindle_rest_3 = spindle_angle - (double)spindle_turns_3 * axis_s_spindle_axis_full_turn;
-        double spindle_above_3;
-        if (spindle_rest_3 < 0.0) {
-            spindle_above_3 = spindle_rest_3 + axis_s_spindle_axis_full_turn;
+    const double spindle_angle_2 = state->spindle_x;
+    double spindle_within_turn_4;
+    if (spindle_angle_2 >= 0.0 && spindle_angle_2 <= axis_s_spindle_axis_below_full_turn) {
+        spindle_within_turn_4 = spindle_angle_2;
+    } else if (axis_s_spindle_axis_magnitude(spindle_angle_2) <= axis_s_spindle_axis_counted_limit) {
+        const int32_t spindle_turns_4 = (int32_t)(spindle_angle_2 * axis_s_spindle_axis_per_turn);
+        const double spindle_rest_4 = spindle_angle_2 - (double)spindle_turns_4 * axis_s_spindle_axis_full_turn;
+        double spindle_above_4;
+        if (spindle_rest_4 < 0.0) {
+            spindle_above_4 = spindle_rest_4 + axis_s_spindle_axis_full_turn;
         } else {
-            spindle_above_3 = spindle_rest_3;
+            spindle_above_4 = spindle_rest_4;
         }
-        if (spindle_above_3 >= axis_s_spindle_axis_full_turn) {
-            spindle_within_turn_3 = spindle_above_3 - axis_s_spindle_axis_full_turn;
+        if (spindle_above_4 >= axis_s_spindle_axis_full_turn) {
+            spindle_within_turn_4 = spindle_above_4 - axis_s_spindle_axis_full_turn;
         } else {
-            spindle_within_turn_3 = spindle_above_3;
+            spindle_within_turn_4 = spindle_above_4;
         }
     } else {
         /* reached only if the block's memory was corrupted */
-        spindle_within_turn_3 = 0.0;
+        spindle_within_turn_4 = 0.0;
     }
-    state->spindle_x = spindle_within_turn_3;
+    state->spindle_x = spindle_within_turn_4;
     const double spindle_x_spindle_2 = state->spindle_x;
     outputs->x_spindle = spindle_x_spindle_2;
-    const double spindle_v_spindle_3 = state->spindle_v;
+    const double spindle_v_spindle_4 = state->spindle_v;
     uint32_t spindle_error_now;
     if (state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
         spindle_error_now = state->spindle_lasting_error;
@@ -1187,14 +1190,16 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     outputs->job_number = state->spindle_jobs;
     outputs->waiting = state->spindle_queued;
     const bool spindle_is_quiet =
-        state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && state->spindle_queued == 0u
-            && !state->spindle_before_any && !state->spindle_takes_over;
+        state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && !state->spindle_before_any;
+    const bool spindle_is_led = spindle_is_quiet && state->spindle_queued == 0u && !state->spindle_takes_over;
     uint32_t spindle_usual;
-    if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION) {
+    if (spindle_is_led && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION) {
         spindle_usual = axis_s_spindle_axis_usual_position;
-    } else if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
+    } else if (spindle_is_led && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
             && !state->spindle_returns) {
         spindle_usual = axis_s_spindle_axis_usual_velocity;
+    } else if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
+        spindle_usual = axis_s_spindle_axis_usual_brake;
     } else {
         spindle_usual = usual_none;
     }
@@ -1226,7 +1231,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         }
         spindle_outputs_v_spindle = state->spindle_v;
     } else {
-        spindle_outputs_v_spindle = spindle_v_spindle_3;
+        spindle_outputs_v_spindle = spindle_v_spindle_4;
     }
     outputs->v_spindle = spindle_outputs_v_spindle;
     const bool is_position = follows && !has_failed;
@@ -1252,8 +1257,8 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             double lag_2;
             if (axis_s_spindle_axis_magnitude(difference_3) <= half_turn) {
                 lag_2 = difference_3;
-            } else if (axis_s_spindle_axis_magnitude(difference_3) <= counted_limit) {
-                const int32_t whole_turns = axis_s_spindle_axis_nearest(difference_3 * per_turn);
+            } else if (axis_s_spindle_axis_magnitude(difference_3) <= axis_s_spindle_axis_counted_limit) {
+                const int32_t whole_turns = axis_s_spindle_axis_nearest(difference_3 * axis_s_spindle_axis_per_turn);
                 lag_2 = difference_3 - (double)whole_turns * axis_s_spindle_axis_full_turn;
             } else {
                 /* reached only if the block's memory was corrupted */
@@ -1265,7 +1270,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 if (missed > 0u) {
                     if (axis_s_spindle_axis_magnitude(v_missed) <= axis_s_spindle_axis_sample_limit) {
                         const double half_cycles = (double)(missed + 1u) * 0.5;
-                        expected_2 = expected + v_missed * (spindle_cycle_time * half_cycles);
+                        expected_2 = expected + v_missed * (axis_s_spindle_axis_spindle_cycle_time * half_cycles);
                     } else {
                         /* reached only if the block's memory was corrupted */
                         expected_2 = expected;
@@ -1521,16 +1526,16 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             command_v_command = spindle_outputs_v_spindle;
         }
         outputs->v_command = command_v_command;
-        const double open_increments_2 =
+        const double open_increments_3 =
             axis_s_spindle_axis_axis_position_control_manipulated_scale * command_v_command;
-        if (axis_s_spindle_axis_magnitude(open_increments_2) <= axis_s_spindle_axis_manipulated_range_upper_limit) {
-            outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments_2);
+        if (axis_s_spindle_axis_magnitude(open_increments_3) <= axis_s_spindle_axis_manipulated_range_upper_limit) {
+            outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments_3);
             outputs->limited = false;
-        } else if (open_increments_2 > 0.0) {
+        } else if (open_increments_3 > 0.0) {
             outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
             outputs->limited = true;
-        } else if (open_increments_2 < 0.0) {
-            outputs->limited = open_increments_2 < axis_s_spindle_axis_manipulated_range_lower_limit;
+        } else if (open_increments_3 < 0.0) {
+            outputs->limited = open_increments_3 < axis_s_spindle_axis_manipulated_range_lower_limit;
             outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
         } else {
             /* reached only by NaN, which samples in range never produce: the output is 0 */
@@ -1550,8 +1555,8 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
     /* largest velocity of a usual cycle (fast path) of POSITION: below Von and v_largest, with the velocity command
      * within its range [0.001 deg/s] */
     static const double spindle_v_usual_position = 1199999.9999999998;
-    /* largest velocity of a usual cycle (fast path) of VELOCITY: the velocity command is within its range [0.001
-     * deg/s] */
+    /* largest velocity of a usual cycle (fast path) of VELOCITY or BRAKE: the velocity command is within its range
+     * [0.001 deg/s] */
     static const double spindle_v_usual_velocity = 1288488959.7;
 
     /* constants that do not depend on the axis */
@@ -1722,6 +1727,81 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
         outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
         outputs->waiting = 0u;
         outputs->loop_closed = false;
+    } else if (state->spindle_usual == axis_s_spindle_axis_usual_brake
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
+            && !inputs->m3 && !inputs->m4 && !inputs->m5 && !inputs->m19 && !inputs->putax && !inputs->g74
+            && inputs->drive_on && !inputs->reset && state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+            && axis_s_spindle_axis_magnitude(state->spindle_present_speed * state->spindle_present_speed
+            + state->spindle_present_position * state->spindle_present_position) <= squares_limit
+            && state->spindle_queued <= 4u && state->spindle_cycles < axis_s_spindle_axis_spindle_brake_cycles
+            && axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_usual_velocity
+            && !(axis_s_spindle_axis_magnitude(state->spindle_v) <= axis_s_spindle_axis_spindle_v_position_control_on)
+            && state->spindle_x >= 0.0 && state->spindle_x <= axis_s_spindle_axis_below_full_turn
+            && axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit) {
+        outputs->loop_closed = false;
+        outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+        outputs->fault = false;
+        outputs->error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        outputs->limited = false;
+        outputs->v_add_calculated = 0.0;
+        outputs->v_add = 0.0;
+        outputs->v_feedforward = 0.0;
+        state->axis_ipc_fade = 0u;
+        state->axis_ipc_preset = false;
+        state->lag_before = 0.0;
+        /* the fast path of BRAKE: nothing is requested, and the velocity is not yet at Voff */
+        state->spindle_cycles = state->spindle_cycles + 1u;
+        state->spindle_settled = 0u;
+        if (state->spindle_v > axis_s_spindle_axis_spindle_v_position_control_on) {
+            state->spindle_v = state->spindle_v - axis_s_spindle_axis_spindle_v_step;
+            if (state->spindle_v < axis_s_spindle_axis_spindle_v_position_control_on) {
+                state->spindle_v = axis_s_spindle_axis_spindle_v_position_control_on;
+            }
+        } else if (state->spindle_v < axis_s_spindle_axis_spindle_v_position_control_on_negative) {
+            state->spindle_v = state->spindle_v + axis_s_spindle_axis_spindle_v_step;
+            if (state->spindle_v > axis_s_spindle_axis_spindle_v_position_control_on_negative) {
+                state->spindle_v = axis_s_spindle_axis_spindle_v_position_control_on_negative;
+            }
+        } else {
+            /* no action */
+        }
+        state->spindle_x = state->spindle_x + state->spindle_v * axis_s_spindle_axis_spindle_cycle_time;
+        const double spindle_angle = state->spindle_x;
+        double spindle_within_turn;
+        if (spindle_angle >= 0.0 && spindle_angle <= axis_s_spindle_axis_below_full_turn) {
+            spindle_within_turn = spindle_angle;
+        } else if (axis_s_spindle_axis_magnitude(spindle_angle) <= axis_s_spindle_axis_counted_limit) {
+            const int32_t spindle_turns = (int32_t)(spindle_angle * axis_s_spindle_axis_per_turn);
+            const double spindle_rest = spindle_angle - (double)spindle_turns * axis_s_spindle_axis_full_turn;
+            double spindle_above;
+            if (spindle_rest < 0.0) {
+                spindle_above = spindle_rest + axis_s_spindle_axis_full_turn;
+            } else {
+                spindle_above = spindle_rest;
+            }
+            if (spindle_above >= axis_s_spindle_axis_full_turn) {
+                spindle_within_turn = spindle_above - axis_s_spindle_axis_full_turn;
+            } else {
+                spindle_within_turn = spindle_above;
+            }
+        } else {
+            /* reached only if the block's memory was corrupted */
+            spindle_within_turn = 0.0;
+        }
+        state->spindle_x = spindle_within_turn;
+        outputs->x_spindle = state->spindle_x;
+        const double spindle_v_spindle_3 = state->spindle_v;
+        outputs->job = state->spindle_present_kind;
+        outputs->job_speed = state->spindle_present_speed;
+        outputs->job_position = state->spindle_present_position;
+        outputs->job_number = state->spindle_jobs;
+        outputs->waiting = state->spindle_queued;
+        state->held_v_command = spindle_v_spindle_3;
+        const double open_increments_2 =
+            axis_s_spindle_axis_axis_position_control_manipulated_scale * spindle_v_spindle_3;
+        outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments_2);
+        outputs->v_command = spindle_v_spindle_3;
+        outputs->v_spindle = spindle_v_spindle_3;
     } else {
         axis_s_spindle_axis_any_cycle(state, inputs, outputs);
     }

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   0249f1fbcaeb9c019e66f27e4e994da4
- * checksum    9a67d386e0b4b3a07745c52fcf14c0ba
+ * structure   c6ca3aa6a3dc1cbc4dc1cb76b538dfed
+ * checksum    ef298d605922ae24ac1e20df7c2765d9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -39,10 +39,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x0249f1fbu
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xcaeb9c01u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x9e66f27eu
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x4e994da4u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0xc6ca3aa6u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xa3dc1cbcu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x4dc1cb76u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0xb538dfedu
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
@@ -223,7 +223,7 @@ typedef struct {
     bool spindle_before_putax; /* request putax of the previous cycle */
     bool spindle_before_g74; /* request g74 of the previous cycle */
     bool spindle_before_any; /* whether any request of the previous cycle was TRUE */
-    /* code of the usual cycle (fast path) that may be next: POSITION or VELOCITY without any request */
+    /* code of the usual cycle (fast path) that may be next: POSITION, VELOCITY or BRAKE without any request */
     uint32_t spindle_usual;
     bool axis_ipc_preset; /* TRUE after the filter sections have been preset to the steady state of the input */
     /* position of the fade [cycles]: 0 off, fade_cycles fully on, above fade_cycles: a state was corrupted */
