@@ -1,7 +1,9 @@
 //! The closed position loop: the lag of the spindle in the CNC, and the axis that acts on it.
 
+use super::held;
 use super::put_out::{put_out, tell_trip};
-use super::{Coeffs, Inputs, Outputs, State, held};
+use super::signals::{Inputs, Outputs};
+use super::state::{Coeffs, State};
 use crate::angle::{certain, full_turn, half_turn, is_certain, shortest};
 use crate::axis;
 use crate::position_control::Location;

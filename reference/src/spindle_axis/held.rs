@@ -1,23 +1,13 @@
 //! What the drive of a position loop got last. It keeps that velocity while a sample is missing, and an error that stops the
 //! spindle begins to brake from it.
 
-use super::{Coeffs, Inputs, State, is_in_cnc};
+use super::signals::Inputs;
+use super::state::{Coeffs, Command, State, is_in_cnc};
 use crate::feedforward;
 use crate::position_control::Location;
 use crate::signal::sample_limit;
 use crate::spindle::{self, SpindleState};
 use portable::{Real, copy, in_range, note, portable};
-
-/// The velocity for the drive, without v_add.
-#[portable]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Command<R> {
-    /// position control in the CNC: velocity of the drive's last command, without v_add; held while a sample is missing
-    /// [0.001 deg/s]
-    pub v_command: R,
-    /// additive velocity of the feedforward in the drive's last command; held while a sample is missing [0.001 deg/s]
-    pub v_additive: R,
-}
 
 /// No command.
 #[portable]

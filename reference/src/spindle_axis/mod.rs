@@ -16,13 +16,13 @@ mod held;
 mod open_loop;
 mod put_out;
 mod signals;
+mod state;
 
-pub use held::Command;
 pub use signals::{Inputs, Outputs};
 pub(crate) use signals::{inputs, outputs};
+pub use state::{Coeffs, Command, State};
 
 use crate::angle::certain;
-use crate::position_control::Location;
 use crate::signal::error_none;
 use crate::spindle::SpindleState;
 use crate::{axis, ipc, spindle};
@@ -30,30 +30,7 @@ use closed_loop::{close, give_up, lag_limit, lag_of};
 use open_loop::{open, remain_open};
 use portable::{Block, Enable, Real, copy, note, portable, within};
 use put_out::{put_out_changeover, put_out_velocity};
-
-/// Coefficients.
-#[portable]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Coeffs<R> {
-    /// changeover
-    pub spindle: spindle::Coeffs<R>,
-    /// feedforward, position control, improved position control
-    pub axis: axis::Coeffs<R>,
-}
-
-/// State.
-#[portable]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct State<R> {
-    /// changeover
-    pub spindle: spindle::State<R>,
-    /// feedforward, position control, improved position control
-    pub axis: axis::State<R>,
-    /// position control in the CNC: the position lag of the last cycle with a closed loop, 0 after an open one [0.001 deg]
-    pub lag_before: R,
-    /// what the drive got last
-    pub held: Command<R>,
-}
+use state::is_in_cnc;
 
 /// Before the first cycle.
 #[portable]
@@ -80,12 +57,6 @@ pub fn follows_position<R: Real>(coeffs: &Coeffs<R>, control: SpindleState) -> b
         && (control == SpindleState::Position
             || control == SpindleState::ToVelocity
             || coeffs.spindle.in_drive && control == SpindleState::ToPosition)
-}
-
-/// Whether the CNC controls the position.
-#[portable]
-pub fn is_in_cnc<R: Real>(coeffs: &Coeffs<R>) -> bool {
-    coeffs.axis.position_control.location == Location::Cnc && !coeffs.spindle.only_velocity
 }
 
 /// Any cycle. Only the samples that the spindle uses are checked.

@@ -1,7 +1,8 @@
 //! The open position loop: the drive gets only a velocity.
 
 use super::put_out::{put_out, put_out_changeover, tell_trip};
-use super::{Coeffs, Command, Outputs, State, is_in_cnc};
+use super::signals::Outputs;
+use super::state::{Coeffs, Command, State, is_in_cnc};
 use crate::signal::error_none;
 use crate::{axis, position_control, spindle};
 use portable::{Real, nearest, portable};

@@ -1,6 +1,7 @@
 //! From the changeover and the axis to the outputs of the block. No state is changed.
 
-use super::{Coeffs, Outputs};
+use super::signals::Outputs;
+use super::state::Coeffs;
 use crate::signal::error_unstable;
 use crate::{axis, process_data, spindle};
 use portable::{Real, copy, portable};
