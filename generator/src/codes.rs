@@ -56,7 +56,7 @@ codes! {
         "The coefficients hold for one cycle time of the position controller only, and no axis list holds it: give it as \
          cycle_time in a set, or with --cycle-time. The generated block can check it against its task.";
     NOT_LISTED = "AX010", "too many messages",
-        "A thousand messages were listed. Mend the first ones: the others often follow from them.";
+        "A thousand messages were listed. Correct the first ones: the others often follow from them.";
     USAGE = "AX011", "a command line that cannot be carried out",
         "An option is unknown or missing, or its value is invalid. `axgen help COMMAND` lists the options.";
     NO_SUCH = "AX012", "an unknown name",
@@ -72,9 +72,9 @@ codes! {
         "The first line has the names of signals, each further line a value of each. Reals are decimal, or 0x and the digits of \
          their bits; BOOL is 0 or 1, or TRUE or FALSE.";
     CASE = "AX016", "a golden case that cannot be used",
-        "The case's case.toml, its set or its stimulus is wrong, it does not show what it says that it shows, or its \
-         folder takes no files.";
-    UNWRITABLE = "AX017", "a place that takes no output",
+        "The case's case.toml, its set or its stimulus is wrong, what `shows` names does not happen in it, or its folder \
+         cannot be written.";
+    UNWRITABLE = "AX017", "a place that cannot be written",
         "The system does not let the command write to the file, the folder or the standard output: no permission, no space, or \
          something else is in the way. This is not a mistake in the set.";
     NO_ENGINE = "AX018", "an engine that cannot run",

@@ -173,11 +173,8 @@ fn control(
     ipc: Option<&Ipc>,
 ) -> Option<(Control, u32)> {
     let number = e.validated_integer(key(Name::AxisNumber))?;
-    let is_rotary = match axis_type {
-        Some(AxisType::Translator) | None => false,
-        Some(AxisType::Rotator | AxisType::Spindle) => true,
-    };
     let is_spindle = axis_type == Some(AxisType::Spindle);
+    let is_rotary = is_spindle || axis_type == Some(AxisType::Rotator);
     let master = ipc::master(e);
     if ipc.is_some_and(|ipc| !ipc.is_active()) && master.is_none() && !changes_over && !is_asked_for(e) {
         // The drive does not matter: a real machine's list may contain any values for it.
@@ -199,12 +196,11 @@ fn control(
         .and_then(|_| position_control::check(e, (&drive, cycle_time), ipc, has_feedforward, master.is_some()));
     e.block = Some(SPINDLE);
     let [is_slave, has_stages] = [master.is_some(), ipc.is_some_and(Ipc::is_active)];
-    let spindle = match changes_over {
-        true => spindle::check(e, cycle_time, &drive, has_feedforward, [is_slave, has_stages]).map(Presence::Present),
-        false => {
-            spindle::no_changeover(e, cycle_time, axis_type, &drive);
-            Some(Presence::Absent)
-        }
+    let spindle = if changes_over {
+        spindle::check(e, cycle_time, &drive, has_feedforward, [is_slave, has_stages]).map(Presence::Present)
+    } else {
+        spindle::no_changeover(e, cycle_time, axis_type, &drive);
+        Some(Presence::Absent)
     };
     let (feedforward, position_control) = (feedforward?.present(), position_control?.present());
     let spindle = spindle?.present();

@@ -28,10 +28,6 @@ impl<R: Real> Slots<R> {
     pub(crate) fn cycle<const MIXED: bool>(&mut self, ops: &[Op]) {
         let Self { reals, bools, words, compared_a_nan } = self;
         let kept = |op: &Op, value: R| if MIXED && !(op.wide && op.part) { in_single(value) } else { value };
-        let mut ordered = |order: Option<Ordering>| {
-            *compared_a_nan |= order.is_none();
-            order
-        };
         let mut next = 0;
         while let Some(op) = ops.get(next) {
             next += 1;
@@ -48,10 +44,10 @@ impl<R: Real> Slots<R> {
                 Code::FusedSubtractFrom => {
                     reals[to] = kept(op, fused::<R, MIXED>(op, [-reals[a], reals[b], reals[c]]));
                 }
-                Code::LessReal => bools[to] = ordered(reals[a].partial_cmp(&reals[b])).is_some_and(Ordering::is_lt),
-                Code::AtMostReal => bools[to] = ordered(reals[a].partial_cmp(&reals[b])).is_some_and(Ordering::is_le),
-                Code::EqualReal => bools[to] = ordered(reals[a].partial_cmp(&reals[b])) == Some(Ordering::Equal),
-                Code::UnequalReal => bools[to] = ordered(reals[a].partial_cmp(&reals[b])) != Some(Ordering::Equal),
+                Code::LessReal => bools[to] = order(reals[a], reals[b], compared_a_nan).is_some_and(Ordering::is_lt),
+                Code::AtMostReal => bools[to] = order(reals[a], reals[b], compared_a_nan).is_some_and(Ordering::is_le),
+                Code::EqualReal => bools[to] = order(reals[a], reals[b], compared_a_nan) == Some(Ordering::Equal),
+                Code::UnequalReal => bools[to] = order(reals[a], reals[b], compared_a_nan) != Some(Ordering::Equal),
                 Code::MoveBool => bools[to] = bools[a],
                 Code::Not => bools[to] = !bools[a],
                 Code::And => bools[to] = bools[a] & bools[b],
@@ -89,6 +85,13 @@ impl<R: Real> Slots<R> {
             }
         }
     }
+}
+
+/// The order of two reals; notes a NaN, which has none.
+fn order<R: PartialOrd>(a: R, b: R, compared_a_nan: &mut bool) -> Option<Ordering> {
+    let found = a.partial_cmp(&b);
+    *compared_a_nan |= found.is_none();
+    found
 }
 
 /// An element of an array. Outside of it implementations disagree: then the result is a value that a reference does not have by

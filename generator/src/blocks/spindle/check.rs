@@ -68,12 +68,7 @@ pub(crate) fn check(
     let is_in_drive = drive.location != Location::Cnc;
     let velocities = velocities::check(e, drive.gear);
     let is_alone = is_in_drive && velocities.as_ref().is_some_and(|of| of.on.value == 0 && of.off.value == 0);
-    if is_slave {
-        without_gantry(e);
-    }
-    if is_alone && has_stages {
-        without_stages(e);
-    }
+    refuse(e, is_slave, is_alone && has_stages);
     let kv = if is_alone { Some(0) } else { e.integer((Name::Kv, [drive.gear, 0])) };
     let deceleration = e.real(key(Name::SpindleDeceleration));
     let changing = velocities.as_ref().filter(|_| !is_alone);
@@ -117,6 +112,16 @@ pub(crate) fn check(
         mode_timeout_ns: mode_timeout_ns?,
         brake_timeout_ns: brake_timeout_ns?,
     })
+}
+
+/// Refuses the changeover of a gantry slave, and active stages of a drive with velocity control alone.
+fn refuse(e: &mut Effective<'_>, is_slave: bool, has_useless_stages: bool) {
+    if is_slave {
+        without_gantry(e);
+    }
+    if has_useless_stages {
+        without_stages(e);
+    }
 }
 
 /// Refuses the changeover of a gantry slave.

@@ -98,15 +98,7 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
         RealKind::F64 => (64, Literal::F64(portable::nearly_half())),
         RealKind::F32 => (32, Literal::F32(portable::nearly_half())),
     };
-    let (mut inputs, set) = (outline.inputs(), outline.set());
-    if !set.is_empty() {
-        inputs.push(Member {
-            ty: "Params".into(),
-            name: "params".to_owned(),
-            doc: "the parameter set".to_owned(),
-            value: "Params::new()".to_owned(),
-        });
-    }
+    let set = outline.set();
     let parts = outline.parts_of_state().into_iter().zip(starts(program, &names.constants));
     let parts = parts.map(|(member, value)| Member { value, ..member }).collect();
     let state = outline.state(parts, |of, length| Member {
@@ -114,22 +106,10 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
         value: format!("[{}; {length}]", of.value),
         ..of
     });
-    let watched = |of: &'static str, variables: &[Variable], names: &[String]| -> Vec<[String; 2]> {
-        let words = |(variable, name): (&Variable, &String)| {
-            let value = format!("{of}.{name}");
-            words(
-                &if program.is_single(variable) { format!("f64::from({value})") } else { value },
-                variable.ty,
-                program.real,
-            )
-        };
-        variables.iter().zip(names).map(words).collect()
-    };
     let [constants] = outline.groups([Appearance::Declared]);
-    let mut figures = public::figures(axis, block);
+    let figures = public::figures(axis, block);
     let public = figures.iter().map(|figure| figure.name.clone()).collect();
     let is_constant = |name: &str| constants.iter().any(|group| group.constants.iter().any(|of| of.name == name));
-    figures.retain(|figure| !is_constant(&figure.name));
     let of_ipc = |item: &str| format!("super::{}::{item}", block_name(&axis.name, IPC));
     let template = RustFile {
         file: &file,
@@ -137,12 +117,12 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
         block: program.block,
         real: LANGUAGE.ty(Type::Real, axis.real),
         bits,
-        inputs,
+        inputs: inputs(&outline, !set.is_empty()),
         shared_set: (block.block.shares_set() && !set.is_empty()).then(|| of_ipc("Params")),
         set,
         outputs: outline.outputs(["Params", "Params::new()"].map(of_ipc)),
         state,
-        figures,
+        figures: figures.into_iter().filter(|figure| !is_constant(&figure.name)).collect(),
         public,
         enums: public::enums(&outline),
         constants,
@@ -161,12 +141,33 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
         scales: exercise.scales.map(LANGUAGE.literal),
         part: (LANGUAGE.literal)(exercise.part),
         watched: [
-            watched("outputs", &program.outputs, &signals(program, &LANGUAGE)[1]),
-            watched("state", &program.state, &names.state),
+            watched(program, "outputs", &program.outputs, &signals(program, &LANGUAGE)[1]),
+            watched(program, "state", &program.state, &names.state),
         ]
         .concat(),
     };
     vec![rendered(&file, "", &template)]
+}
+
+/// The words of all variables of a struct for the digest.
+fn watched(program: &Program, of: &str, variables: &[Variable], names: &[String]) -> Vec<[String; 2]> {
+    let words = |(variable, name): (&Variable, &String)| {
+        let value = format!("{of}.{name}");
+        let value = if program.is_single(variable) { format!("f64::from({value})") } else { value };
+        words(&value, variable.ty, program.real)
+    };
+    variables.iter().zip(names).map(words).collect()
+}
+
+/// The members of the inputs, the parameter set after the signals.
+fn inputs(outline: &Outline<'_>, has_set: bool) -> Vec<Member> {
+    let set = has_set.then(|| Member {
+        ty: "Params".into(),
+        name: "params".to_owned(),
+        doc: "the parameter set".to_owned(),
+        value: "Params::new()".to_owned(),
+    });
+    outline.inputs().into_iter().chain(set).collect()
 }
 
 /// The words of a value for the digest; the second one may be empty.
