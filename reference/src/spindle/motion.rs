@@ -14,15 +14,27 @@ pub fn advance<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
 #[portable]
 pub fn slow_down<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_end: R, v_end_negative: R) {
     if state.v > v_end {
-        state.v = state.v - coeffs.v_step;
-        if state.v < v_end {
-            state.v = v_end;
-        }
+        slow_down_forward(state, coeffs, v_end);
     } else if state.v < v_end_negative {
-        state.v = state.v + coeffs.v_step;
-        if state.v > v_end_negative {
-            state.v = v_end_negative;
-        }
+        slow_down_backward(state, coeffs, v_end_negative);
+    }
+}
+
+/// The same for a velocity above `v_end`.
+#[portable]
+pub fn slow_down_forward<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_end: R) {
+    state.v = state.v - coeffs.v_step;
+    if state.v < v_end {
+        state.v = v_end;
+    }
+}
+
+/// The same for a velocity below `v_end_negative`.
+#[portable]
+pub fn slow_down_backward<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_end_negative: R) {
+    state.v = state.v + coeffs.v_step;
+    if state.v > v_end_negative {
+        state.v = v_end_negative;
     }
 }
 

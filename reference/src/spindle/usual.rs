@@ -2,13 +2,13 @@
 //! within one turn. It has the same result as `any_cycle` with fewer checks. No transition.
 
 use super::change::is_displayed;
-use super::motion::{advance, slow_down};
+use super::motion::{advance, slow_down_backward, slow_down_forward};
 use super::put_out::{put_out_job, put_out_mode};
 use super::repair::{has_usual_numbers, is_job};
 use super::request::Job;
 use super::signals::{Inputs, Outputs};
 use super::state::{Coeffs, SpindleState, State, usual_brake, usual_none, usual_position, usual_velocity};
-use crate::angle::{below_full_turn, is_certain, is_within_turn, wrapped};
+use crate::angle::{below_full_turn, is_certain, is_within_turn};
 use crate::call_rate;
 use crate::signal::{error_none, sample_limit};
 use portable::{Real, in_range, nearest, note, portable, within};
@@ -71,7 +71,8 @@ pub fn stays_in_velocity<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: 
         && is_displayed(coeffs, inputs, coeffs.velocity_mode)
 }
 
-/// Whether the spindle brakes, and began this cycle faster than Voff. Requests may be waiting.
+/// Whether the spindle brakes, and began this cycle faster than Voff. Requests may be waiting. The position, which moves at most
+/// as far as with the velocity of the last cycle, stays within the turn.
 #[portable]
 pub fn stays_in_brake<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     state.usual == usual_brake()
@@ -85,6 +86,8 @@ pub fn stays_in_brake<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &In
         && !within(state.v, coeffs.v_position_control_on)
         && in_range(state.x, below_full_turn())
         && state.x >= R::ZERO
+        && in_range(state.x + state.v * coeffs.cycle_time, below_full_turn())
+        && state.x + state.v * coeffs.cycle_time >= R::ZERO
         && in_range(inputs.v_actual, sample_limit())
         && is_displayed(coeffs, inputs, coeffs.velocity_mode)
 }
@@ -138,10 +141,12 @@ pub fn remain_in_brake<R: Real>(
     state.cycles += 1u32;
     state.settled = 0u32;
     state.catches = false;
-    slow_down(state, coeffs, coeffs.v_position_control_on, coeffs.v_position_control_on_negative);
+    if state.v > R::ZERO {
+        slow_down_forward(state, coeffs, coeffs.v_position_control_on);
+    } else {
+        slow_down_backward(state, coeffs, coeffs.v_position_control_on_negative);
+    }
     advance(state, coeffs);
-    let x_wrapped = wrapped(state.x);
-    state.x = x_wrapped;
     put_out(state, coeffs, outputs);
     put_out_mode(coeffs, outputs, state.asks_velocity);
     outputs.waiting = state.queued;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   c6ca3aa6a3dc1cbc4dc1cb76b538dfed
- * checksum    032cf8c75dec8f4e5e5bcddc85db57b1
+ * structure   b10f96266449f6cdb8cb62369d498fda
+ * checksum    e742b648569b5d5d48a9dcb3807d8da8
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -156,9 +156,6 @@ static const double axis_s_spindle_axis_sample_limit = 1000000000000000.0;
 static const double axis_s_spindle_axis_anti_denormal = 1.0e-30;
 static const uint32_t axis_s_spindle_axis_usual_velocity = 43690u; /* the usual cycle (fast path) of VELOCITY may be next */
 static const uint32_t axis_s_spindle_axis_usual_brake = 13107u; /* the usual cycle (fast path) of BRAKE may be next */
-/* largest magnitude of an angle whose turns are counted: more than half a turn above the position limit */
-static const double axis_s_spindle_axis_counted_limit = 710000000000000.0;
-static const double axis_s_spindle_axis_per_turn = 2.777777777777778e-6; /* 1 / full_turn */
 
 AXGEN_CODE_SECTION void axis_s_spindle_axis_init(axis_s_spindle_axis_state *fresh)
 {
@@ -284,6 +281,9 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     static const uint32_t largest_count = 4000000000u; /* upper bound of the cycle count of a state, above any permitted time */
     /* largest lead of the position command, above the need of any spindle [0.001 deg] */
     static const double lead_limit = 1000000000.0;
+    /* largest magnitude of an angle whose turns are counted: more than half a turn above the position limit */
+    static const double counted_limit = 710000000000000.0;
+    static const double per_turn = 2.777777777777778e-6; /* 1 / full_turn */
     static const uint32_t usual_none = 0u; /* no usual cycle (fast path) is next */
     static const double half_turn = 180000.0; /* half a turn [0.001 deg] */
     /* largest position lag of a loop in the CNC: above half a turn the loop would turn the spindle the other way
@@ -698,28 +698,28 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 /* reached only if the block's memory was corrupted */
                 spindle_ahead_2 = inputs->x_actual;
             }
-            double spindle_within_turn_2;
+            double spindle_within_turn;
             if (spindle_ahead_2 >= 0.0 && spindle_ahead_2 <= axis_s_spindle_axis_below_full_turn) {
-                spindle_within_turn_2 = spindle_ahead_2;
-            } else if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= axis_s_spindle_axis_counted_limit) {
-                const int32_t spindle_turns_2 = (int32_t)(spindle_ahead_2 * axis_s_spindle_axis_per_turn);
-                const double spindle_rest_2 = spindle_ahead_2 - (double)spindle_turns_2 * axis_s_spindle_axis_full_turn;
-                double spindle_above_2;
-                if (spindle_rest_2 < 0.0) {
-                    spindle_above_2 = spindle_rest_2 + axis_s_spindle_axis_full_turn;
+                spindle_within_turn = spindle_ahead_2;
+            } else if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= counted_limit) {
+                const int32_t spindle_turns = (int32_t)(spindle_ahead_2 * per_turn);
+                const double spindle_rest = spindle_ahead_2 - (double)spindle_turns * axis_s_spindle_axis_full_turn;
+                double spindle_above;
+                if (spindle_rest < 0.0) {
+                    spindle_above = spindle_rest + axis_s_spindle_axis_full_turn;
                 } else {
-                    spindle_above_2 = spindle_rest_2;
+                    spindle_above = spindle_rest;
                 }
-                if (spindle_above_2 >= axis_s_spindle_axis_full_turn) {
-                    spindle_within_turn_2 = spindle_above_2 - axis_s_spindle_axis_full_turn;
+                if (spindle_above >= axis_s_spindle_axis_full_turn) {
+                    spindle_within_turn = spindle_above - axis_s_spindle_axis_full_turn;
                 } else {
-                    spindle_within_turn_2 = spindle_above_2;
+                    spindle_within_turn = spindle_above;
                 }
             } else {
                 /* reached only if the block's memory was corrupted */
-                spindle_within_turn_2 = 0.0;
+                spindle_within_turn = 0.0;
             }
-            state->spindle_x = spindle_within_turn_2;
+            state->spindle_x = spindle_within_turn;
         } else if (inputs->drive_on) {
             state->spindle_x = state->spindle_x + state->spindle_v * axis_s_spindle_axis_spindle_cycle_time;
         } else {
@@ -778,9 +778,8 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                         inputs->x_command
                             - (state->spindle_x + state->spindle_v * axis_s_spindle_axis_spindle_cycle_time);
                     double spindle_shorter;
-                    if (axis_s_spindle_axis_magnitude(spindle_distance) <= axis_s_spindle_axis_counted_limit) {
-                        const int32_t spindle_whole_turns =
-                            axis_s_spindle_axis_nearest(spindle_distance * axis_s_spindle_axis_per_turn);
+                    if (axis_s_spindle_axis_magnitude(spindle_distance) <= counted_limit) {
+                        const int32_t spindle_whole_turns = axis_s_spindle_axis_nearest(spindle_distance * per_turn);
                         spindle_shorter =
                             spindle_distance - (double)spindle_whole_turns * axis_s_spindle_axis_full_turn;
                     } else {
@@ -1049,28 +1048,28 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             /* reached only if the block's memory was corrupted */
             spindle_ahead_3 = inputs->x_actual;
         }
-        double spindle_within_turn_3;
+        double spindle_within_turn_2;
         if (spindle_ahead_3 >= 0.0 && spindle_ahead_3 <= axis_s_spindle_axis_below_full_turn) {
-            spindle_within_turn_3 = spindle_ahead_3;
-        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_3) <= axis_s_spindle_axis_counted_limit) {
-            const int32_t spindle_turns_3 = (int32_t)(spindle_ahead_3 * axis_s_spindle_axis_per_turn);
-            const double spindle_rest_3 = spindle_ahead_3 - (double)spindle_turns_3 * axis_s_spindle_axis_full_turn;
-            double spindle_above_3;
-            if (spindle_rest_3 < 0.0) {
-                spindle_above_3 = spindle_rest_3 + axis_s_spindle_axis_full_turn;
+            spindle_within_turn_2 = spindle_ahead_3;
+        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_3) <= counted_limit) {
+            const int32_t spindle_turns_2 = (int32_t)(spindle_ahead_3 * per_turn);
+            const double spindle_rest_2 = spindle_ahead_3 - (double)spindle_turns_2 * axis_s_spindle_axis_full_turn;
+            double spindle_above_2;
+            if (spindle_rest_2 < 0.0) {
+                spindle_above_2 = spindle_rest_2 + axis_s_spindle_axis_full_turn;
             } else {
-                spindle_above_3 = spindle_rest_3;
+                spindle_above_2 = spindle_rest_2;
             }
-            if (spindle_above_3 >= axis_s_spindle_axis_full_turn) {
-                spindle_within_turn_3 = spindle_above_3 - axis_s_spindle_axis_full_turn;
+            if (spindle_above_2 >= axis_s_spindle_axis_full_turn) {
+                spindle_within_turn_2 = spindle_above_2 - axis_s_spindle_axis_full_turn;
             } else {
-                spindle_within_turn_3 = spindle_above_3;
+                spindle_within_turn_2 = spindle_above_2;
             }
         } else {
             /* reached only if the block's memory was corrupted */
-            spindle_within_turn_3 = 0.0;
+            spindle_within_turn_2 = 0.0;
         }
-        state->spindle_x_start = spindle_within_turn_3;
+        state->spindle_x_start = spindle_within_turn_2;
     }
     if (spindle_resynchronises || spindle_next_2 != state->spindle_control) {
         state->spindle_control = spindle_next_2;
@@ -1079,29 +1078,29 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         state->spindle_settled = 0u;
         state->spindle_missing = 0u;
     }
-    const double spindle_angle_2 = state->spindle_x;
-    double spindle_within_turn_4;
-    if (spindle_angle_2 >= 0.0 && spindle_angle_2 <= axis_s_spindle_axis_below_full_turn) {
-        spindle_within_turn_4 = spindle_angle_2;
-    } else if (axis_s_spindle_axis_magnitude(spindle_angle_2) <= axis_s_spindle_axis_counted_limit) {
-        const int32_t spindle_turns_4 = (int32_t)(spindle_angle_2 * axis_s_spindle_axis_per_turn);
-        const double spindle_rest_4 = spindle_angle_2 - (double)spindle_turns_4 * axis_s_spindle_axis_full_turn;
-        double spindle_above_4;
-        if (spindle_rest_4 < 0.0) {
-            spindle_above_4 = spindle_rest_4 + axis_s_spindle_axis_full_turn;
+    const double spindle_angle = state->spindle_x;
+    double spindle_within_turn_3;
+    if (spindle_angle >= 0.0 && spindle_angle <= axis_s_spindle_axis_below_full_turn) {
+        spindle_within_turn_3 = spindle_angle;
+    } else if (axis_s_spindle_axis_magnitude(spindle_angle) <= counted_limit) {
+        const int32_t spindle_turns_3 = (int32_t)(spindle_angle * per_turn);
+        const double spindle_rest_3 = spindle_angle - (double)spindle_turns_3 * axis_s_spindle_axis_full_turn;
+        double spindle_above_3;
+        if (spindle_rest_3 < 0.0) {
+            spindle_above_3 = spindle_rest_3 + axis_s_spindle_axis_full_turn;
         } else {
-            spindle_above_4 = spindle_rest_4;
+            spindle_above_3 = spindle_rest_3;
         }
-        if (spindle_above_4 >= axis_s_spindle_axis_full_turn) {
-            spindle_within_turn_4 = spindle_above_4 - axis_s_spindle_axis_full_turn;
+        if (spindle_above_3 >= axis_s_spindle_axis_full_turn) {
+            spindle_within_turn_3 = spindle_above_3 - axis_s_spindle_axis_full_turn;
         } else {
-            spindle_within_turn_4 = spindle_above_4;
+            spindle_within_turn_3 = spindle_above_3;
         }
     } else {
         /* reached only if the block's memory was corrupted */
-        spindle_within_turn_4 = 0.0;
+        spindle_within_turn_3 = 0.0;
     }
-    state->spindle_x = spindle_within_turn_4;
+    state->spindle_x = spindle_within_turn_3;
     const double spindle_x_spindle_2 = state->spindle_x;
     outputs->x_spindle = spindle_x_spindle_2;
     const double spindle_v_spindle_4 = state->spindle_v;
@@ -1257,8 +1256,8 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             double lag_2;
             if (axis_s_spindle_axis_magnitude(difference_3) <= half_turn) {
                 lag_2 = difference_3;
-            } else if (axis_s_spindle_axis_magnitude(difference_3) <= axis_s_spindle_axis_counted_limit) {
-                const int32_t whole_turns = axis_s_spindle_axis_nearest(difference_3 * axis_s_spindle_axis_per_turn);
+            } else if (axis_s_spindle_axis_magnitude(difference_3) <= counted_limit) {
+                const int32_t whole_turns = axis_s_spindle_axis_nearest(difference_3 * per_turn);
                 lag_2 = difference_3 - (double)whole_turns * axis_s_spindle_axis_full_turn;
             } else {
                 /* reached only if the block's memory was corrupted */
@@ -1737,6 +1736,9 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
             && axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_usual_velocity
             && !(axis_s_spindle_axis_magnitude(state->spindle_v) <= axis_s_spindle_axis_spindle_v_position_control_on)
             && state->spindle_x >= 0.0 && state->spindle_x <= axis_s_spindle_axis_below_full_turn
+            && state->spindle_x + state->spindle_v * axis_s_spindle_axis_spindle_cycle_time >= 0.0
+            && state->spindle_x
+            + state->spindle_v * axis_s_spindle_axis_spindle_cycle_time <= axis_s_spindle_axis_below_full_turn
             && axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit) {
         outputs->loop_closed = false;
         outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
@@ -1752,43 +1754,18 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
         /* the fast path of BRAKE: nothing is requested, and the velocity is not yet at Voff */
         state->spindle_cycles = state->spindle_cycles + 1u;
         state->spindle_settled = 0u;
-        if (state->spindle_v > axis_s_spindle_axis_spindle_v_position_control_on) {
+        if (state->spindle_v > 0.0) {
             state->spindle_v = state->spindle_v - axis_s_spindle_axis_spindle_v_step;
             if (state->spindle_v < axis_s_spindle_axis_spindle_v_position_control_on) {
                 state->spindle_v = axis_s_spindle_axis_spindle_v_position_control_on;
             }
-        } else if (state->spindle_v < axis_s_spindle_axis_spindle_v_position_control_on_negative) {
+        } else {
             state->spindle_v = state->spindle_v + axis_s_spindle_axis_spindle_v_step;
             if (state->spindle_v > axis_s_spindle_axis_spindle_v_position_control_on_negative) {
                 state->spindle_v = axis_s_spindle_axis_spindle_v_position_control_on_negative;
             }
-        } else {
-            /* no action */
         }
         state->spindle_x = state->spindle_x + state->spindle_v * axis_s_spindle_axis_spindle_cycle_time;
-        const double spindle_angle = state->spindle_x;
-        double spindle_within_turn;
-        if (spindle_angle >= 0.0 && spindle_angle <= axis_s_spindle_axis_below_full_turn) {
-            spindle_within_turn = spindle_angle;
-        } else if (axis_s_spindle_axis_magnitude(spindle_angle) <= axis_s_spindle_axis_counted_limit) {
-            const int32_t spindle_turns = (int32_t)(spindle_angle * axis_s_spindle_axis_per_turn);
-            const double spindle_rest = spindle_angle - (double)spindle_turns * axis_s_spindle_axis_full_turn;
-            double spindle_above;
-            if (spindle_rest < 0.0) {
-                spindle_above = spindle_rest + axis_s_spindle_axis_full_turn;
-            } else {
-                spindle_above = spindle_rest;
-            }
-            if (spindle_above >= axis_s_spindle_axis_full_turn) {
-                spindle_within_turn = spindle_above - axis_s_spindle_axis_full_turn;
-            } else {
-                spindle_within_turn = spindle_above;
-            }
-        } else {
-            /* reached only if the block's memory was corrupted */
-            spindle_within_turn = 0.0;
-        }
-        state->spindle_x = spindle_within_turn;
         outputs->x_spindle = state->spindle_x;
         const double spindle_v_spindle_3 = state->spindle_v;
         outputs->job = state->spindle_present_kind;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   c6ca3aa6a3dc1cbc4dc1cb76b538dfed
- * checksum    ef298d605922ae24ac1e20df7c2765d9
+ * structure   b10f96266449f6cdb8cb62369d498fda
+ * checksum    00f9195fbee5aed108dff2d0ac9ca04b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -39,10 +39,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0xc6ca3aa6u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xa3dc1cbcu
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x4dc1cb76u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0xb538dfedu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0xb10f9626u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x6449f6cdu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0xb8cb6236u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x9d498fdau
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
