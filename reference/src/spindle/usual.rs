@@ -72,7 +72,7 @@ pub fn stays_in_velocity<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: 
 }
 
 /// Whether the spindle brakes, and began this cycle faster than Voff. Requests may be waiting. The position, which moves at most
-/// as far as with the velocity of the last cycle, stays within the turn.
+/// as far as with the velocity of the last cycle, stays within the turn. The first cycle of BRAKE is another one.
 #[portable]
 pub fn stays_in_brake<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     state.usual == usual_brake()
@@ -81,6 +81,7 @@ pub fn stays_in_brake<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &In
         && state.present.kind == Job::Stop
         && has_usual_numbers(&state.present)
         && state.queued <= 4u32
+        && state.cycles > 0u32
         && state.cycles < coeffs.brake_cycles
         && in_range(state.v, coeffs.v_usual_velocity)
         && !within(state.v, coeffs.v_position_control_on)
@@ -90,6 +91,7 @@ pub fn stays_in_brake<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &In
         && state.x + state.v * coeffs.cycle_time >= R::ZERO
         && in_range(inputs.v_actual, sample_limit())
         && is_displayed(coeffs, inputs, coeffs.velocity_mode)
+        && (!coeffs.in_drive || !state.catches && (coeffs.only_velocity || state.asks_velocity))
 }
 
 /// POSITION.
@@ -140,7 +142,6 @@ pub fn remain_in_brake<R: Real>(
     call_rate::go_on(&mut state.call_rate, &coeffs.call_rate, inputs.cycle_counter);
     state.cycles += 1u32;
     state.settled = 0u32;
-    state.catches = false;
     if state.v > R::ZERO {
         slow_down_forward(state, coeffs, coeffs.v_position_control_on);
     } else {
@@ -148,7 +149,7 @@ pub fn remain_in_brake<R: Real>(
     }
     advance(state, coeffs);
     put_out(state, coeffs, outputs);
-    put_out_mode(coeffs, outputs, state.asks_velocity);
+    put_out_mode(coeffs, outputs, true);
     outputs.waiting = state.queued;
     outputs.spindle_state = SpindleState::Brake;
     outputs.loop_closed = false;

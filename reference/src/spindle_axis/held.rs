@@ -27,16 +27,6 @@ pub fn keep<R: Real>(held: &mut Command<R>, coeffs: &Coeffs<R>, v_command: R, v_
     }
 }
 
-/// Keeps the command of a cycle of BRAKE or TO_POSITION: the loop is open, and closes without a previous lag.
-#[portable]
-pub fn keep_open<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_command: R, v_additive: R) {
-    state.held.v_command = v_command;
-    state.held.v_additive = v_additive;
-    if is_in_cnc(coeffs) {
-        state.lag_before = R::ZERO;
-    }
-}
-
 /// The whole velocity that the drive got.
 #[portable]
 pub fn whole<R: Real>(held: &Command<R>, coeffs: &Coeffs<R>) -> R {
@@ -98,6 +88,10 @@ pub fn command_of_open<R: Real>(
     } else if spindle_outputs.spindle_state == SpindleState::Brake
         || spindle_outputs.spindle_state == SpindleState::ToPosition
     {
-        keep_open(state, coeffs, command.v_command, command.v_additive);
+        state.held.v_command = command.v_command;
+        state.held.v_additive = command.v_additive;
+        if is_in_cnc(coeffs) {
+            state.lag_before = R::ZERO;
+        }
     }
 }

@@ -135,7 +135,8 @@ pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
     } else if spindle::stays_in_brake(&state.spindle, &coeffs.spindle, &spindle_inputs) {
         let mut spindle_outputs = spindle::Outputs::<R>::default();
         spindle::remain_in_brake(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);
-        held::keep_open(state, coeffs, spindle_outputs.v_spindle, R::ZERO);
+        state.held.v_command = spindle_outputs.v_spindle;
+        state.held.v_additive = R::ZERO;
         remain_open(state, coeffs, &spindle_outputs, outputs);
     } else {
         note("any other cycle: requests, changes of the state, missing samples, errors");

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   b10f96266449f6cdb8cb62369d498fda
- * checksum    e742b648569b5d5d48a9dcb3807d8da8
+ * structure   84ba8a2321c038ee3a7fd237559bd34e
+ * checksum    9c95a21e815872d7fa9111409213885b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -1732,7 +1732,8 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
             && inputs->drive_on && !inputs->reset && state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
             && axis_s_spindle_axis_magnitude(state->spindle_present_speed * state->spindle_present_speed
             + state->spindle_present_position * state->spindle_present_position) <= squares_limit
-            && state->spindle_queued <= 4u && state->spindle_cycles < axis_s_spindle_axis_spindle_brake_cycles
+            && state->spindle_queued <= 4u && state->spindle_cycles > 0u
+            && state->spindle_cycles < axis_s_spindle_axis_spindle_brake_cycles
             && axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_usual_velocity
             && !(axis_s_spindle_axis_magnitude(state->spindle_v) <= axis_s_spindle_axis_spindle_v_position_control_on)
             && state->spindle_x >= 0.0 && state->spindle_x <= axis_s_spindle_axis_below_full_turn
@@ -1750,7 +1751,6 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
         outputs->v_feedforward = 0.0;
         state->axis_ipc_fade = 0u;
         state->axis_ipc_preset = false;
-        state->lag_before = 0.0;
         /* the fast path of BRAKE: nothing is requested, and the velocity is not yet at Voff */
         state->spindle_cycles = state->spindle_cycles + 1u;
         state->spindle_settled = 0u;
