@@ -17,8 +17,8 @@ constants! {
     pub fn below_full_turn<R: Real>() -> R { R::per_kind(359_999.999_999_999_94, 359_999.97) }
     /// half a turn [0.001 deg]
     pub fn half_turn<R: Real>() -> R { R::lit(180_000.0) }
-    /// up to this angle the lag is certain, whatever the previous one was: from the largest lag it would take more than 130 deg in
-    /// a cycle to be here the other way round [0.001 deg]
+    /// up to this angle the lag is certain, whatever the previous one was: from the largest lag it would take more than 130 deg
+    /// in a cycle to be here the other way round [0.001 deg]
     pub fn certain_lag<R: Real>() -> R { R::lit(60_000.0) }
 }
 

@@ -29,9 +29,9 @@ pub fn next_usual<R: Real>(state: &State<R>) -> u32 {
     }
 }
 
-/// Whether no input requests a change.
+/// Whether no input requests a change, and the call comes in time.
 #[portable]
-pub fn asks_nothing<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
+pub fn is_regular<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     (inputs.task_cycle_ns == 0u32 || inputs.task_cycle_ns == coeffs.cycle_time_ns)
         && !inputs.m3
         && !inputs.m4
@@ -41,6 +41,7 @@ pub fn asks_nothing<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
         && !inputs.g74
         && inputs.drive_on
         && !inputs.reset
+        && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
 }
 
 /// Whether the interpolator moves the spindle under position control, and continues to do so.
@@ -48,8 +49,7 @@ pub fn asks_nothing<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
 pub fn stays_in_position<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     !coeffs.only_velocity
         && state.usual == usual_position()
-        && asks_nothing(coeffs, inputs)
-        && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
+        && is_regular(state, coeffs, inputs)
         && is_job(&state.present)
         && has_usual_numbers(&state.present)
         && in_range(inputs.v_interpolator, coeffs.v_usual_position)
@@ -62,8 +62,7 @@ pub fn stays_in_position<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: 
 #[portable]
 pub fn stays_in_velocity<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     state.usual == usual_velocity()
-        && asks_nothing(coeffs, inputs)
-        && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
+        && is_regular(state, coeffs, inputs)
         && is_job(&state.present)
         && has_usual_numbers(&state.present)
         && in_range(inputs.v_interpolator, coeffs.v_usual_velocity)
@@ -72,12 +71,12 @@ pub fn stays_in_velocity<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: 
 }
 
 /// Whether the spindle brakes, and began this cycle faster than Voff. Requests may be waiting. The position, which moves at most
-/// as far as with the velocity of the last cycle, stays within the turn. The first cycle of BRAKE is another one.
+/// as far as with the velocity of the last cycle, stays within the turn. Not the first cycle of BRAKE, and no cycle before the
+/// drive of a caught spindle displays velocity control.
 #[portable]
 pub fn stays_in_brake<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     state.usual == usual_brake()
-        && asks_nothing(coeffs, inputs)
-        && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
+        && is_regular(state, coeffs, inputs)
         && state.present.kind == Job::Stop
         && has_usual_numbers(&state.present)
         && state.queued <= 4u32

@@ -17,9 +17,9 @@ pub fn lag_limit<R: Real>() -> R {
     R::lit(170_000.0)
 }
 
-/// The lag that continues from the previous one: beyond half a turn the shortest way would turn the spindle back. `missed` samples
-/// were missing, after the velocity `v_missed`: meanwhile the lag of a spindle that follows has not grown, and that of a blocked one
-/// by the whole way.
+/// The lag that continues from the previous one: beyond half a turn the shortest way would turn the spindle back. `missed`
+/// samples were missing, after the velocity `v_missed`: meanwhile the lag of a spindle that follows has not grown, and that of a
+/// blocked one by the whole way.
 #[portable]
 pub fn continued<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, difference: R, missed: u32, v_missed: R) -> R {
     let mut lag = if within(difference, half_turn()) { difference } else { shortest(difference) };

@@ -14,8 +14,8 @@ pub fn put_out_changeover<R: Real>(spindle_outputs: &spindle::Outputs<R>, output
         loop_closed);
 }
 
-/// Writes the velocity command of the drive, without the additive velocity of the feedforward: in the cycles of a change the drive
-/// may be in either mode, and in velocity control it adds both.
+/// Writes the velocity command of the drive, without the additive velocity of the feedforward: in the cycles of a change the
+/// drive may be in either mode, and in velocity control it adds both.
 #[portable]
 pub fn put_out_velocity<R: Real>(
     coeffs: &Coeffs<R>,
@@ -55,7 +55,7 @@ pub fn put_out<R: Real>(
     };
 }
 
-/// Reports the id of the tripped watch if there is no fault.
+/// If the watch has tripped and there is no fault, reports its id.
 #[portable]
 pub fn tell_trip<R: Real>(coeffs: &Coeffs<R>, axis_outputs: &axis::Outputs<R>, outputs: &mut Outputs<R>) {
     if coeffs.axis.ipc.watch.active && axis_outputs.tripped && !outputs.fault {

@@ -149,8 +149,8 @@ impl Walk<'_> {
         }
     }
 
-    /// An operation has one of these finite results only. A sum, difference or product then has no infinity or NaN as an operand;
-    /// each operand of a sum or difference is limited by the other one.
+    /// Limits the operands of an operation whose result is one of these finite numbers. No operand of a sum, difference or
+    /// product is then infinite or a NaN; each operand of a sum or difference is limited by the other one.
     fn restrict_operands(&mut self, operator: Binary, left: &Expr, right: &Expr, result: Interval) -> bool {
         if !matches!(operator, Binary::Add | Binary::Subtract | Binary::Multiply) {
             return true;
