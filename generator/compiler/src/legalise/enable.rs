@@ -1,7 +1,7 @@
 //! Adds the signals of PLCopen function blocks to a block: Enable, Valid, Busy, Error, ErrorID, NoticeID.
 
 use crate::pass::Defect;
-use crate::program::{Constant, Expr, Local, Off, Program, Statement, Type, Var, Variable, rename};
+use crate::program::{Constant, Expr, Local, Off, Program, Statement, Switch, Type, Var, Variable, rename};
 use portable::{Binary, Brake, Literal};
 
 /// The renamed outputs with their new names.
@@ -73,7 +73,15 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
         Off::False => None,
         Off::Brake(of) => brake.map(|(velocity, state)| works(&program, of, [velocity, state].map(&moved))),
     };
-    // The block reads the input combined with `Enable` instead of the input.
+    combine(&mut program, switch);
+    let enable = Expr::Var(Var::Input(0));
+    let busy = works.map_or(enable.clone(), |works| Expr::binary(Binary::Or, enable, works));
+    put_out(&mut program, busy);
+    Ok(program)
+}
+
+/// The block reads the input that turns it off combined with `Enable`, instead of the input alone.
+fn combine(program: &mut Program, switch: Switch) {
     let (input, enabled) = (Var::Input(switch.input + 1), Var::Local(program.locals.len()));
     let variable = &program.inputs[switch.input + 1];
     program.locals.push(Local { path: format!("{}_enabled", variable.path), ty: Some(variable.ty) });
@@ -88,12 +96,8 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
         }
         other => Expr::Literal(other.value()),
     };
-    let enable = Expr::Var(Var::Input(0));
     let (then, otherwise) = (vec![assign(enabled, Expr::Var(input))], vec![assign(enabled, off)]);
-    program.step.insert(0, Statement::If { condition: enable.clone(), then, otherwise });
-    let busy = works.map_or(enable.clone(), |works| Expr::binary(Binary::Or, enable, works));
-    put_out(&mut program, busy);
-    Ok(program)
+    program.step.insert(0, Statement::If { condition: Expr::Var(Var::Input(0)), then, otherwise });
 }
 
 /// Assigns the signals after all statements of the block.

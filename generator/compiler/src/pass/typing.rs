@@ -55,28 +55,14 @@ fn type_of(expr: &Expr, program: &Program) -> Result<Type, Defect> {
                 _ => Err(defect(format!("{operator:?} of {found:?} in {expr:?}"))),
             }
         }
-        Expr::Binary(operator, left, right) => {
-            let found = type_of(left, program)?;
-            expect(found, type_of(right, program)?, right)?;
-            let is_division = matches!(operator, Binary::Divide | Binary::Remainder) && found != Type::Real;
-            if is_division && !is_from_one(right) {
-                return Err(defect(format!("{operator:?} of {found:?} by no number from 1 on in {expr:?}")));
-            }
-            // Reals may be compared with 0 for equality.
-            if *operator == Binary::Equal && right.is_zero(&program.constants) {
-                return Ok(Type::Bool);
-            }
-            binary_type(*operator, found).ok_or_else(|| defect(format!("{operator:?} of {found:?} in {expr:?}")))
-        }
+        Expr::Binary(operator, left, right) => type_of_binary(expr, *operator, [left, right], program),
         Expr::Intrinsic(intrinsic, operands) => {
             let takes = match intrinsic {
                 Intrinsic::FromU32 => Type::U32,
                 Intrinsic::FromI32 | Intrinsic::Unsigned => Type::I32,
                 _ => Type::Real,
             };
-            for operand in operands {
-                expect(takes, type_of(operand, program)?, operand)?;
-            }
+            operands.iter().try_for_each(|operand| expect(takes, type_of(operand, program)?, operand))?;
             Ok(Type::of_intrinsic(*intrinsic))
         }
         Expr::Element(row, index) => {
@@ -86,6 +72,20 @@ fn type_of(expr: &Expr, program: &Program) -> Result<Type, Defect> {
             types.try_for_each(|ty| expect(first, ty?, expr)).map(|()| first)
         }
     }
+}
+
+fn type_of_binary(expr: &Expr, operator: Binary, [left, right]: [&Expr; 2], program: &Program) -> Result<Type, Defect> {
+    let found = type_of(left, program)?;
+    expect(found, type_of(right, program)?, right)?;
+    let is_division = matches!(operator, Binary::Divide | Binary::Remainder) && found != Type::Real;
+    if is_division && !is_from_one(right) {
+        return Err(defect(format!("{operator:?} of {found:?} by no number from 1 on in {expr:?}")));
+    }
+    // Reals may be compared with 0 for equality.
+    if operator == Binary::Equal && right.is_zero(&program.constants) {
+        return Ok(Type::Bool);
+    }
+    binary_type(operator, found).ok_or_else(|| defect(format!("{operator:?} of {found:?} in {expr:?}")))
 }
 
 fn is_from_one(divisor: &Expr) -> bool {
@@ -98,8 +98,7 @@ fn is_from_one(divisor: &Expr) -> bool {
 
 fn binary_type(operator: Binary, operand: Type) -> Option<Type> {
     match (operator, operand) {
-        (Binary::Add | Binary::Subtract | Binary::Multiply, Type::Real | Type::I32 | Type::U32)
-        | (Binary::Divide, Type::Real | Type::I32 | Type::U32)
+        (Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide, Type::Real | Type::I32 | Type::U32)
         | (Binary::Remainder, Type::I32 | Type::U32)
         | (Binary::And | Binary::Or, Type::Bool) => Some(operand),
         (Binary::Less | Binary::LessEqual | Binary::Greater | Binary::GreaterEqual, ty) if ty != Type::Bool => {

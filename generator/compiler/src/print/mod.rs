@@ -119,29 +119,9 @@ fn without_index(first: &str) -> &str {
 impl<'p> Printer<'p> {
     /// Interface names are assigned first. `block` is the beginning of the block's names outside its functions.
     pub fn new(program: &'p Program, language: &'p Language, block: &'p str) -> Self {
-        let mut names = Names::new(language);
         let signals = if language.has_enumerations { values::of_signals(program) } else { Vec::new() };
         let appearances = (language.appearances)(program, &signals);
-        let constant = |(constant, appearance): (&Constant, &Appearance), names: &mut Names| {
-            let name = match appearance {
-                Appearance::Enumerator | Appearance::Shared if !block.is_empty() => {
-                    names.take(&format!("{block}.{}", constant.path))
-                }
-                _ => names.take(&constant.path),
-            };
-            let is_capital = language.has_capitals || *appearance == Appearance::Enumerator;
-            if is_capital { name.to_ascii_uppercase() } else { name }
-        };
-        let mut scope = Scope {
-            inputs: grouped(&program.inputs, program.set, language, &mut names),
-            outputs: grouped(&program.outputs, program.made, language, &mut names),
-            state: parts(program, language, &mut names),
-            constants: program.constants.iter().zip(&appearances).map(|it| constant(it, &mut names)).collect(),
-            locals: Vec::new(),
-        };
-        names.begin_locals();
-        scope.locals = program.locals.iter().map(|local| names.take(&local.path)).collect();
-        let names = scope;
+        let names = declared(program, language, block, &appearances);
         let mut texts = names.clone();
         put_inside(&mut texts.inputs, &program.inputs, program.set, language.inside);
         put_inside(&mut texts.outputs, &program.outputs, program.made, ".");
@@ -152,19 +132,8 @@ impl<'p> Printer<'p> {
         let mut negated = vec![None; program.constants.len()];
         for (index, appearance) in appearances.iter().enumerate() {
             if *appearance == Appearance::Inline {
-                if let Origin::Runtime(text) = program.constants[index].origin {
-                    text.clone_into(&mut texts.constants[index]);
-                    continue;
-                }
-                let (digits, level) = (language.operand)(program.constants[index].value);
-                let ([open, _, close], name) = (language.comment, &names.constants[index]);
-                let text = format!("{digits} {open}{name}{close}");
-                if level == Level::Primary {
-                    negated[index] = Some(format!("{digits} {open}-{name}{close}"));
-                    texts.constants[index] = text;
-                } else {
-                    texts.constants[index] = format!("({text})");
-                }
+                let (constant, name) = (&program.constants[index], &names.constants[index]);
+                (texts.constants[index], negated[index]) = inline(constant, name, language);
             }
         }
         Self { program, language, block, names, signals, appearances, texts, negated }
@@ -199,6 +168,46 @@ impl<'p> Printer<'p> {
         layout.lines.level = level;
         layout.list(statements, &mut vec![false; self.program.locals.len()]);
         layout.lines.into_text()
+    }
+}
+
+/// The names of the variables, as they are declared.
+fn declared(program: &Program, language: &Language, block: &str, appearances: &[Appearance]) -> Scope {
+    let mut names = Names::new(language);
+    let constant = |(constant, appearance): (&Constant, &Appearance), names: &mut Names| {
+        let name = match appearance {
+            Appearance::Enumerator | Appearance::Shared if !block.is_empty() => {
+                names.take(&format!("{block}.{}", constant.path))
+            }
+            _ => names.take(&constant.path),
+        };
+        let is_capital = language.has_capitals || *appearance == Appearance::Enumerator;
+        if is_capital { name.to_ascii_uppercase() } else { name }
+    };
+    let mut scope = Scope {
+        inputs: grouped(&program.inputs, program.set, language, &mut names),
+        outputs: grouped(&program.outputs, program.made, language, &mut names),
+        state: parts(program, language, &mut names),
+        constants: program.constants.iter().zip(appearances).map(|it| constant(it, &mut names)).collect(),
+        locals: Vec::new(),
+    };
+    names.begin_locals();
+    scope.locals = program.locals.iter().map(|local| names.take(&local.path)).collect();
+    scope
+}
+
+/// The digits of a constant with its name; then the text after a sign, if that differs.
+fn inline(constant: &Constant, name: &str, language: &Language) -> (String, Option<String>) {
+    if let Origin::Runtime(text) = constant.origin {
+        return (text.to_owned(), None);
+    }
+    let (digits, level) = (language.operand)(constant.value);
+    let [open, _, close] = language.comment;
+    let text = format!("{digits} {open}{name}{close}");
+    if level == Level::Primary {
+        (text, Some(format!("{digits} {open}-{name}{close}")))
+    } else {
+        (format!("({text})"), None)
     }
 }
 
@@ -289,11 +298,10 @@ impl Layout<'_> {
                     self.inner(then, declared);
                     (rest, is_chain) = (otherwise, true);
                 }
-                let nothing = language.nothing_else.filter(|_| is_chain);
                 if !rest.is_empty() {
                     self.line(last);
                     self.inner(rest, declared);
-                } else if let Some(nothing) = nothing {
+                } else if let Some(nothing) = language.nothing_else.filter(|_| is_chain) {
                     self.line(last);
                     self.indented(1, |layout| layout.line(nothing));
                 }

@@ -77,50 +77,49 @@ fn literal(value: Literal) -> String {
 
 /// Digits have no own type when a method is called on them: a function is used instead.
 fn form(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
+    use Intrinsic::{FromI32, FromU32, InRange, Narrow, Nearest, Truncate, Unsigned, Within};
     use Level::{Any, Comparison, Primary, Sign, Sum};
     let is_digits = matches!(operation.operands().next(), Some(Expr::Literal(_)));
-    let choose = |method, function| {
+    let choose = |[method, function]: [&'static str; 2]| {
         if is_digits { (Primary, function, [Any; 2]) } else { (Primary, method, [Primary, Any]) }
     };
     let (level, text, least) = match (operation, ty, real) {
-        (Expr::Unary(Unary::Negate, _), Type::I32, _) => choose("{0}.wrapping_neg()", "i32::wrapping_neg({0})"),
+        (Expr::Unary(Unary::Negate, _), Type::I32, _) => choose(["{0}.wrapping_neg()", "i32::wrapping_neg({0})"]),
         // `Primary`: shows the reader the operand of the sign.
         (Expr::Unary(Unary::Negate, _), ..) => (Sign, "-{0}", [Primary; 2]),
         (Expr::Unary(Unary::Not, _), ..) => (Sign, "!{0}", [Primary; 2]),
-        (Expr::Binary(operator, ..), Type::I32, _) => match operator {
-            Binary::Add => choose("{0}.wrapping_add({1})", "i32::wrapping_add({0}, {1})"),
-            Binary::Subtract => choose("{0}.wrapping_sub({1})", "i32::wrapping_sub({0}, {1})"),
-            Binary::Multiply => choose("{0}.wrapping_mul({1})", "i32::wrapping_mul({0}, {1})"),
-            _ => return None,
-        },
-        (Expr::Binary(operator, ..), Type::U32, _) => match operator {
-            Binary::Add => choose("{0}.wrapping_add({1})", "u32::wrapping_add({0}, {1})"),
-            Binary::Subtract => choose("{0}.wrapping_sub({1})", "u32::wrapping_sub({0}, {1})"),
-            Binary::Multiply => choose("{0}.wrapping_mul({1})", "u32::wrapping_mul({0}, {1})"),
-            _ => return None,
-        },
+        (Expr::Binary(operator, ..), ..) => choose(wrapping(*operator, ty)?),
         (Expr::Intrinsic(intrinsic, _), ..) => match (intrinsic, real) {
             // |x| <= 0 without a magnitude
-            (Intrinsic::InRange | Intrinsic::Within, _) if operation.is_about_zero() => {
-                (Comparison, "{0} == {1}", [Sum; 2])
-            }
-            (Intrinsic::InRange | Intrinsic::Within, _) if !is_digits => {
-                (Comparison, "{0}.abs() <= {1}", [Primary, Sum])
-            }
-            (Intrinsic::InRange | Intrinsic::Within, RealKind::F64) => (Comparison, "f64::abs({0}) <= {1}", [Any, Sum]),
-            (Intrinsic::InRange | Intrinsic::Within, RealKind::F32) => (Comparison, "f32::abs({0}) <= {1}", [Any, Sum]),
+            (InRange | Within, _) if operation.is_about_zero() => (Comparison, "{0} == {1}", [Sum; 2]),
+            (InRange | Within, _) if !is_digits => (Comparison, "{0}.abs() <= {1}", [Primary, Sum]),
+            (InRange | Within, RealKind::F64) => (Comparison, "f64::abs({0}) <= {1}", [Any, Sum]),
+            (InRange | Within, RealKind::F32) => (Comparison, "f32::abs({0}) <= {1}", [Any, Sum]),
             // The token after a cast may be read as part of its type, so a cast always gets parentheses.
-            (Intrinsic::FromU32, RealKind::F64) if is_digits => (Primary, "f64::from({0}_u32)", [Any; 2]),
-            (Intrinsic::FromU32, RealKind::F32) if is_digits => (Any, "{0}_u32 as f32", [Primary; 2]),
-            (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F64) => (Primary, "f64::from({0})", [Any; 2]),
-            (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F32) => (Any, "{0} as f32", [Primary; 2]),
-            (Intrinsic::Narrow, _) => (Any, "{0} as f32", [Primary; 2]),
-            (Intrinsic::Unsigned, _) => (Primary, "{0}.cast_unsigned()", [Primary; 2]),
-            (Intrinsic::Truncate, _) => (Any, "{0} as i32", [Primary; 2]),
+            (FromU32, RealKind::F64) if is_digits => (Primary, "f64::from({0}_u32)", [Any; 2]),
+            (FromU32, RealKind::F32) if is_digits => (Any, "{0}_u32 as f32", [Primary; 2]),
+            (FromU32 | FromI32, RealKind::F64) => (Primary, "f64::from({0})", [Any; 2]),
+            (FromU32 | FromI32, RealKind::F32) => (Any, "{0} as f32", [Primary; 2]),
+            (Narrow, _) => (Any, "{0} as f32", [Primary; 2]),
+            (Unsigned, _) => (Primary, "{0}.cast_unsigned()", [Primary; 2]),
+            (Truncate, _) => (Any, "{0} as i32", [Primary; 2]),
             // More would need `unsafe` code.
-            (Intrinsic::Nearest, _) => (Primary, "nearest({0})", [Any; 2]),
+            (Nearest, _) => (Primary, "nearest({0})", [Any; 2]),
         },
         _ => return None,
     };
     Some(Form { level, text, least })
+}
+
+/// The method and the function for an operator of integers, both of which wrap around.
+fn wrapping(operator: Binary, ty: Type) -> Option<[&'static str; 2]> {
+    Some(match (operator, ty) {
+        (Binary::Add, Type::I32) => ["{0}.wrapping_add({1})", "i32::wrapping_add({0}, {1})"],
+        (Binary::Subtract, Type::I32) => ["{0}.wrapping_sub({1})", "i32::wrapping_sub({0}, {1})"],
+        (Binary::Multiply, Type::I32) => ["{0}.wrapping_mul({1})", "i32::wrapping_mul({0}, {1})"],
+        (Binary::Add, Type::U32) => ["{0}.wrapping_add({1})", "u32::wrapping_add({0}, {1})"],
+        (Binary::Subtract, Type::U32) => ["{0}.wrapping_sub({1})", "u32::wrapping_sub({0}, {1})"],
+        (Binary::Multiply, Type::U32) => ["{0}.wrapping_mul({1})", "u32::wrapping_mul({0}, {1})"],
+        _ => return None,
+    })
 }

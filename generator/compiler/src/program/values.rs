@@ -137,22 +137,19 @@ fn reaching(program: &Program) -> Table<Values> {
 fn compared_inputs(program: &Program, reaching: &Table<Values>) -> Vec<Values> {
     let meant = meant(program);
     let input = |expr: &Expr| if let Expr::Var(var) = expr { meant[*var] } else { None };
+    let constant = |label: &Expr| if let Expr::Var(Var::Constant(index)) = label { Some(*index) } else { None };
     let mut values = vec![Values::default(); program.inputs.len()];
-    let (mut mentioned, mut asked) = (vec![0; values.len()], vec![0; values.len()]);
+    let mut other_uses = vec![0; values.len()];
     for statement in program.statements() {
-        statement.reads(&mut |var| meant[var].into_iter().for_each(|input| mentioned[input] += 1));
+        statement.reads(&mut |var| meant[var].into_iter().for_each(|input| other_uses[input] += 1));
         statement.walk(&mut |inner| match inner {
             Statement::Assign { target, value } => {
                 let taken_over = input(value).filter(|input| meant[*target] == Some(*input));
-                taken_over.into_iter().for_each(|input| asked[input] += 1);
+                taken_over.into_iter().for_each(|input| other_uses[input] -= 1);
             }
             Statement::Choose { by, arms } => {
                 if let Some(input) = input(by) {
-                    asked[input] += 1;
-                    let constant = |label: &Expr| match label {
-                        Expr::Var(Var::Constant(index)) => Some(*index),
-                        _ => None,
-                    };
+                    other_uses[input] -= 1;
                     values[input].constants.extend(arms.iter().flat_map(|arm| &arm.labels).filter_map(constant));
                 }
             }
@@ -163,17 +160,14 @@ fn compared_inputs(program: &Program, reaching: &Table<Values>) -> Vec<Values> {
                 let Expr::Binary(Binary::Equal | Binary::NotEqual, left, right) = part else { return };
                 for (one, other) in [(left, right), (right, left)] {
                     if let Some(input) = input(one) {
-                        asked[input] += 1;
+                        other_uses[input] -= 1;
                         values[input].extend(other, reaching);
                     }
                 }
             });
         });
     }
-    values
-        .iter_mut()
-        .zip(asked.iter().zip(&mentioned))
-        .for_each(|(values, (asked, all))| values.others |= asked != all);
+    values.iter_mut().zip(other_uses).for_each(|(values, other_uses)| values.others |= other_uses != 0);
     values
 }
 

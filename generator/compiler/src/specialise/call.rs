@@ -4,7 +4,7 @@ use super::part::{Named, Part};
 use super::{Frame, Specialiser};
 use crate::arithmetic;
 use crate::program::{Expr, Statement};
-use portable::{Argument, Fn, Intrinsic, Literal, Mode, Place, overlaid};
+use portable::{Argument, Fn, Intrinsic, Literal, Mode, Param, Place, overlaid};
 use std::rc::Rc;
 
 impl Specialiser<'_> {
@@ -22,18 +22,7 @@ impl Specialiser<'_> {
         let (cells, first_name) = (self.cells.len(), self.names.len());
         let mut context = None;
         for (param, argument) in function.params.iter().zip(arguments) {
-            let (part, path) = match argument {
-                Argument::Borrow { place } => {
-                    let part = self.place(place);
-                    let is_changed = param.mode == Mode::Mutable && part.cell().is_none();
-                    (part, if is_changed { self.path(place) } else { None })
-                }
-                Argument::Numbers { structure, part, numbers } => (self.with_numbers([structure, part, numbers]), None),
-                Argument::Value { .. } => {
-                    let value = self.value_argument(argument, function);
-                    (self.bind(param.name, value), None)
-                }
-            };
+            let (part, path) = self.passed(param, argument, function);
             context = context.or_else(|| path.clone());
             // The other arguments do not see the parameter.
             self.names.push(Named { name: "", part, path });
@@ -53,13 +42,33 @@ impl Specialiser<'_> {
         self.frames.pop();
         self.names.truncate(first_name);
         self.cells.truncate(cells);
+        value.map(|value| self.returned(function, value))
+    }
+
+    /// The part that a parameter represents; its path too, if it is more than a scalar and the function changes it.
+    fn passed(&mut self, param: &Param, argument: &'static Argument, function: &Fn) -> (Part, Option<Rc<str>>) {
+        match argument {
+            Argument::Borrow { place } => {
+                let part = self.place(place);
+                let is_changed = param.mode == Mode::Mutable && part.cell().is_none();
+                (part, if is_changed { self.path(place) } else { None })
+            }
+            Argument::Numbers { structure, part, numbers } => (self.with_numbers([structure, part, numbers]), None),
+            Argument::Value { .. } => {
+                let value = self.value_argument(argument, function);
+                (self.bind(param.name, value), None)
+            }
+        }
+    }
+
+    /// The value of a call. A function without parameters is a named number. A bool, an index or a variant decides
+    /// branches, and needs no name.
+    fn returned(&mut self, function: &'static Fn, value: Expr) -> Expr {
         match value {
-            // A function without parameters is a named number; a bool, an index or a variant decides branches, and needs no
-            // name.
-            Some(Expr::Literal(literal @ (Literal::F64(_) | Literal::F32(_) | Literal::I32(_) | Literal::U32(_))))
+            Expr::Literal(literal @ (Literal::F64(_) | Literal::F32(_) | Literal::I32(_) | Literal::U32(_)))
                 if function.params.is_empty() =>
             {
-                Some(self.named(function, literal))
+                self.named(function, literal)
             }
             value => value,
         }

@@ -25,29 +25,10 @@ use std::rc::Rc;
 /// If the block is not portable in a way that is only detected here: a loop with an unknown bound, an unknown index, a
 /// struct passed by value. That is a defect of the block, not of an input.
 pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, String>) -> Program {
-    let program = Program {
-        block: B::NAME,
-        switch: None,
-        usual_first: B::is_usual_first(coeffs),
-        fractions: B::FRACTIONS,
-        set: B::SET,
-        made: B::MADE,
-        is_made_single: R::IS_FOR_SINGLE,
-        typed: B::TYPED,
-        real: R::KIND,
-        inputs: Vec::new(),
-        outputs: Vec::new(),
-        state: Vec::new(),
-        rows: Vec::new(),
-        constants: Vec::new(),
-        locals: Vec::new(),
-        init: Vec::new(),
-        step: Vec::new(),
-    };
     let (coefficients, coefficient_type) = (leaves(coeffs), <B::Coeffs as Portable>::TY);
     let mut specialiser = Specialiser {
         notes,
-        program,
+        program: empty::<R, B>(coeffs),
         coefficient_of: vec![None; coefficients.len()],
         function_of: Vec::new(),
         cells: Vec::new(),
@@ -73,6 +54,29 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
         narrow(&mut program);
     }
     program
+}
+
+/// The program before its variables and statements are known.
+fn empty<R: Real, B: Block<R>>(coeffs: &B::Coeffs) -> Program {
+    Program {
+        block: B::NAME,
+        switch: None,
+        usual_first: B::is_usual_first(coeffs),
+        fractions: B::FRACTIONS,
+        set: B::SET,
+        made: B::MADE,
+        is_made_single: R::IS_FOR_SINGLE,
+        typed: B::TYPED,
+        real: R::KIND,
+        inputs: Vec::new(),
+        outputs: Vec::new(),
+        state: Vec::new(),
+        rows: Vec::new(),
+        constants: Vec::new(),
+        locals: Vec::new(),
+        init: Vec::new(),
+        step: Vec::new(),
+    }
 }
 
 /// Narrows the reals of the parameter set that a program makes. They are numbers that single precision represents.
@@ -163,23 +167,21 @@ impl Specialiser<'_> {
         let find = |list: &[Variable], path: &str| list.iter().position(|variable| variable.path == path);
         let input =
             find(&self.program.inputs, enable.input).expect("specialise: the block has the input that turns it off");
-        let (off, fades) = match enable.off {
-            portable::Off::False => return Switch { input, off: Off::False },
-            portable::Off::Fade(fades) => {
-                return Switch { input, off: Off::Fade(find(&self.program.outputs, fades).map(Var::Output)) };
+        let off = match enable.off {
+            portable::Off::False => Off::False,
+            portable::Off::Fade(fades) => Off::Fade(find(&self.program.outputs, fades).map(Var::Output)),
+            portable::Off::Execute(works) => Off::Execute(find(&self.program.state, works).map(Var::State)),
+            portable::Off::Brake(brake) => Off::Brake(brake),
+            portable::Off::Mode(off, fades) => {
+                let value = match off.body.block.value {
+                    Some(portable::Expr::Constant { value }) => value(),
+                    _ => panic!("specialise: {} is not a number", off.name),
+                };
+                let off = Constant { path: off.name.to_owned(), doc: off.doc, value, origin: Origin::Function };
+                Off::Mode(off, find(&self.program.state, fades).map(Var::State))
             }
-            portable::Off::Execute(works) => {
-                return Switch { input, off: Off::Execute(find(&self.program.state, works).map(Var::State)) };
-            }
-            portable::Off::Brake(brake) => return Switch { input, off: Off::Brake(brake) },
-            portable::Off::Mode(off, fades) => (off, fades),
         };
-        let value = match off.body.block.value {
-            Some(portable::Expr::Constant { value }) => value(),
-            _ => panic!("specialise: {} is not a number", off.name),
-        };
-        let off = Constant { path: off.name.to_owned(), doc: off.doc, value, origin: Origin::Function };
-        Switch { input, off: Off::Mode(off, find(&self.program.state, fades).map(Var::State)) }
+        Switch { input, off }
     }
 
     /// The coefficient as a named number, entered at its first use.

@@ -3,7 +3,7 @@
 use super::Specialiser;
 use super::part::{Cell, Leaf, Named, Part};
 use crate::program::{Expr, Statement, Var};
-use portable::{Arm, Binary, CodeBlock, Literal};
+use portable::{Arm, Binary, CodeBlock, Literal, Place};
 use std::borrow::Cow;
 
 impl Specialiser<'_> {
@@ -37,20 +37,7 @@ impl Specialiser<'_> {
                 let part = self.enter(*ty, cells.into_iter());
                 self.declare(name, part);
             }
-            portable::Statement::Assign { place, value } => {
-                let name = place.projections.iter().rev().find_map(|projection| match projection {
-                    portable::Projection::Field { name } => Some(*name),
-                    portable::Projection::Index { .. } => None,
-                });
-                let (name, part) = (name.unwrap_or(place.root), self.place(place));
-                if let (None, portable::Expr::Read { place: source }) = (part.cell(), value) {
-                    let source = self.place(source);
-                    return self.copy(part, source, place.root, name);
-                }
-                let name = self.distinct(place.root, name);
-                let value = self.named_value(value, &name);
-                self.assign(part, &name, value);
-            }
+            portable::Statement::Assign { place, value } => self.assignment(place, value),
             portable::Statement::Note { text } => self.statements.push(Statement::Note((*text).to_owned())),
             portable::Statement::For { variable, from, to, body } => {
                 for index in self.known_index(from)..self.known_index(to) {
@@ -63,14 +50,25 @@ impl Specialiser<'_> {
                 }
             }
             portable::Statement::Expr { value } => match value {
-                portable::Expr::Call { function, arguments } => {
-                    self.call(function, arguments, "value");
-                }
-                branching => {
-                    self.branch(branching, None);
-                }
+                portable::Expr::Call { function, arguments } => _ = self.call(function, arguments, "value"),
+                branching => _ = self.branch(branching, None),
             },
         }
+    }
+
+    fn assignment(&mut self, place: &'static Place, value: &'static portable::Expr) {
+        let name = place.projections.iter().rev().find_map(|projection| match projection {
+            portable::Projection::Field { name } => Some(*name),
+            portable::Projection::Index { .. } => None,
+        });
+        let (name, part) = (name.unwrap_or(place.root), self.place(place));
+        if let (None, portable::Expr::Read { place: source }) = (part.cell(), value) {
+            let source = self.place(source);
+            return self.copy(part, source, place.root, name);
+        }
+        let name = self.distinct(place.root, name);
+        let value = self.named_value(value, &name);
+        self.assign(part, &name, value);
     }
 
     /// The value of an expression. A local that holds a choice gets the name.

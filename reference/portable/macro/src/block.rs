@@ -4,7 +4,7 @@ use crate::kind::{self, Kind};
 use crate::reject::Rejections;
 use crate::scope::Scope;
 use crate::{branch, call, copy, expr, outside, place, real, ty};
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use syn::{BinOp, Expr, Pat, Stmt};
 
@@ -57,16 +57,7 @@ fn describe_let(local: &syn::Local, scope: &mut Scope, rejections: &mut Rejectio
     match &local.init {
         Some(init) => {
             if let (None, Some(ty), Pat::Ident(name)) = (&init.diverge, default_of(&init.expr, scope), pattern) {
-                scope.enter(&name.ident, Kind::Unknown, rejections);
-                ty::held(&ty, rejections);
-                let name = &name.ident;
-                return quote! {
-                    ::portable::Statement::Default {
-                        name: stringify!(#name),
-                        ty: <#ty as ::portable::Portable>::TY,
-                        leaves: |take| ::portable::Portable::visit(&<#ty as ::core::default::Default>::default(), take),
-                    }
-                };
+                return describe_default(&name.ident, &ty, scope, rejections);
             }
             if let Some((token, _)) = &init.diverge {
                 rejections.push(token, "`let ... else` has no counterpart; write `if`");
@@ -87,6 +78,19 @@ fn describe_let(local: &syn::Local, scope: &mut Scope, rejections: &mut Rejectio
     }
     scope.enter_rejected(pattern);
     TokenStream::new()
+}
+
+/// Describes a local struct that starts with the values of `Type::default()`.
+fn describe_default(name: &Ident, ty: &syn::Type, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
+    scope.enter(name, Kind::Unknown, rejections);
+    ty::held(ty, rejections);
+    quote! {
+        ::portable::Statement::Default {
+            name: stringify!(#name),
+            ty: <#ty as ::portable::Portable>::TY,
+            leaves: |take| ::portable::Portable::visit(&<#ty as ::core::default::Default>::default(), take),
+        }
+    }
 }
 
 /// The type in `Type::default()`: the start value of a local struct.

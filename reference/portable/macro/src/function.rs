@@ -31,19 +31,14 @@ pub fn describe(function: &syn::ItemFn, rejections: &mut Rejections) -> TokenStr
     if signature.receiver().is_some() {
         return TokenStream::new(); // inside an `impl`, which cannot contain a module
     }
-    let (params, returns, body, assertions) = if rejections.is_empty() {
-        (quote!(#(#params),*), returns, body, assertions)
+    let parts = if rejections.is_empty() {
+        [quote!(#(#params),*), returns, body, assertions]
     } else {
-        (
-            TokenStream::new(),
-            quote!(None),
-            quote!(::portable::CodeBlock { statements: &[], value: None }),
-            TokenStream::new(),
-        )
+        let body = quote!(::portable::CodeBlock { statements: &[], value: None });
+        [TokenStream::new(), quote!(None), body, TokenStream::new()]
     };
-    let [params, returns, body, assertions] = [params, returns, body, assertions].map(outward::from_inside);
     let real = real.unwrap_or_else(|| quote::format_ident!("R"));
-    module(function, &real, [params, returns, body, assertions])
+    module(function, &real, parts.map(outward::from_inside))
 }
 
 /// The hidden module of a function, from the parts of its IR and the assertions about its types.
@@ -99,47 +94,49 @@ fn parameters(
     assertions: &mut TokenStream,
     rejections: &mut Rejections,
 ) -> Vec<TokenStream> {
-    let mut described = Vec::new();
-    for input in &signature.inputs {
-        let param = match input {
-            syn::FnArg::Typed(param) => param,
-            syn::FnArg::Receiver(_) => {
-                scope.enter_rejected(input);
-                rejections.push(
-                    input,
-                    "a method has no counterpart; write a free function with the state as a `&mut` parameter",
-                );
-                continue;
-            }
-        };
-        let (kind, ty) = ty::parameter(&param.ty, scope.real.as_ref(), rejections);
-        let pattern = match &*param.pat {
-            syn::Pat::Ident(pattern) if pattern.by_ref.is_none() && pattern.subpat.is_none() => pattern,
-            other => {
-                rejections.push(other, "a parameter is a plain name; write one, and its parts in the body");
-                scope.enter_rejected(other);
-                continue;
-            }
-        };
-        if pattern.mutability.is_some() {
-            rejections.push(pattern, "a parameter keeps its value; write `let mut local = parameter;`");
+    let describe = |input: &_| match input {
+        syn::FnArg::Typed(param) => parameter(param, scope, assertions, rejections),
+        syn::FnArg::Receiver(_) => {
+            scope.enter_rejected(input);
+            let message = "a method has no counterpart; write a free function with the state as a `&mut` parameter";
+            rejections.push(input, message);
+            None
         }
-        scope.enter(&pattern.ident, kind, rejections);
-        let borrowed = matches!(kind, Kind::Shared | Kind::Mutable);
-        assertions.extend(ty::assertion(ty, borrowed, scope.real.as_ref()));
-        let mode = match kind {
-            Kind::Shared => quote!(Shared),
-            Kind::Mutable => quote!(Mutable),
-            _ => quote!(Value),
-        };
-        let name = &pattern.ident;
-        described.push(quote! {
-            ::portable::Param {
-                name: stringify!(#name),
-                mode: ::portable::Mode::#mode,
-                ty: <#ty as ::portable::Portable>::TY,
-            }
-        });
+    };
+    signature.inputs.iter().filter_map(describe).collect()
+}
+
+fn parameter(
+    param: &syn::PatType,
+    scope: &mut Scope,
+    assertions: &mut TokenStream,
+    rejections: &mut Rejections,
+) -> Option<TokenStream> {
+    let (kind, ty) = ty::parameter(&param.ty, scope.real.as_ref(), rejections);
+    let pattern = match &*param.pat {
+        syn::Pat::Ident(pattern) if pattern.by_ref.is_none() && pattern.subpat.is_none() => pattern,
+        other => {
+            rejections.push(other, "a parameter is a plain name; write one, and its parts in the body");
+            scope.enter_rejected(other);
+            return None;
+        }
+    };
+    if pattern.mutability.is_some() {
+        rejections.push(pattern, "a parameter keeps its value; write `let mut local = parameter;`");
     }
-    described
+    let name = &pattern.ident;
+    scope.enter(name, kind, rejections);
+    let (mode, borrowed) = match kind {
+        Kind::Shared => (quote!(Shared), true),
+        Kind::Mutable => (quote!(Mutable), true),
+        _ => (quote!(Value), false),
+    };
+    assertions.extend(ty::assertion(ty, borrowed, scope.real.as_ref()));
+    Some(quote! {
+        ::portable::Param {
+            name: stringify!(#name),
+            mode: ::portable::Mode::#mode,
+            ty: <#ty as ::portable::Portable>::TY,
+        }
+    })
 }

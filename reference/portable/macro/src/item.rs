@@ -10,48 +10,33 @@ use syn::Item;
 pub fn describe_struct(item: &syn::ItemStruct, rejections: &mut Rejections) -> TokenStream {
     name::check(&item.ident, rejections);
     let real = generics::of_struct(&item.generics, rejections);
+    let unnamed = "a portable struct has named fields; write `struct Name { field: Type }`";
     match &item.fields {
         syn::Fields::Named(fields) => fields.named.iter().for_each(|field| check_field(field, rejections)),
-        syn::Fields::Unnamed(fields) => {
-            rejections.push(fields, "a portable struct has named fields; write `struct Name { field: Type }`");
-        }
-        syn::Fields::Unit => {
-            rejections.push(&item.ident, "a portable struct has named fields; write `struct Name { field: Type }`");
-        }
+        syn::Fields::Unnamed(fields) => rejections.push(fields, unnamed),
+        syn::Fields::Unit => rejections.push(&item.ident, unnamed),
     }
     let name = &item.ident;
     if !rejections.is_empty() {
         let def = quote!(::portable::StructDef { name: stringify!(#name), fields: &[], leaves: 0 });
         return undescribed(name, &item.generics, &quote!(::portable::Ty::Struct { def: &#def }));
     }
+    described(item, real.as_ref())
+}
+
+/// The implementation for a struct that is not rejected.
+fn described(item: &syn::ItemStruct, real: Option<&syn::Ident>) -> TokenStream {
+    let name = &item.ident;
     let (_, arguments, _) = item.generics.split_for_impl();
     let bounds = real.map(|real| quote!(<#real: ::portable::Real>));
     let field: Vec<_> = item.fields.iter().map(|field| &field.ident).collect();
     let ty: Vec<_> = item.fields.iter().map(|field| &field.ty).collect();
-    let doc = item.fields.iter().map(|field| doc(&field.attrs));
-    let up_to = |count: usize| {
-        let before = &ty[..count];
-        quote!(0 #(+ <#before as ::portable::Portable>::TY.leaves())*)
-    };
-    let first: Vec<_> = (0..ty.len()).map(up_to).collect();
-    let end = (1..=ty.len()).map(up_to);
-    let leaves = up_to(ty.len());
+    let first: Vec<_> = (0..ty.len()).map(|count| leaves(&ty[..count])).collect();
+    let end = (1..=ty.len()).map(|count| leaves(&ty[..count]));
+    let def = definition(item, &ty, &first);
     quote! {
         impl #bounds ::portable::Portable for #name #arguments {
-            const TY: ::portable::Ty = ::portable::Ty::Struct {
-                def: &::portable::StructDef {
-                    name: stringify!(#name),
-                    fields: &[#(
-                        ::portable::Field {
-                            name: stringify!(#field),
-                            doc: #doc,
-                            ty: <#ty as ::portable::Portable>::TY,
-                            first: #first,
-                        }
-                    ),*],
-                    leaves: #leaves,
-                },
-            };
+            const TY: ::portable::Ty = ::portable::Ty::Struct { def: &#def };
 
             fn visit(&self, visit: &mut dyn FnMut(::portable::Literal)) {
                 #(::portable::Portable::visit(&self.#field, visit);)*
@@ -69,6 +54,32 @@ pub fn describe_struct(item: &syn::ItemStruct, rejections: &mut Rejections) -> T
             }
         }
     }
+}
+
+/// The definition of a struct, from the types of its fields and the positions of their first scalars.
+fn definition(item: &syn::ItemStruct, ty: &[&syn::Type], first: &[TokenStream]) -> TokenStream {
+    let (name, leaves) = (&item.ident, leaves(ty));
+    let field = item.fields.iter().map(|field| &field.ident);
+    let doc = item.fields.iter().map(|field| doc(&field.attrs));
+    quote! {
+        ::portable::StructDef {
+            name: stringify!(#name),
+            fields: &[#(
+                ::portable::Field {
+                    name: stringify!(#field),
+                    doc: #doc,
+                    ty: <#ty as ::portable::Portable>::TY,
+                    first: #first,
+                }
+            ),*],
+            leaves: #leaves,
+        }
+    }
+}
+
+/// The number of scalars in fields of these types.
+fn leaves(ty: &[&syn::Type]) -> TokenStream {
+    quote!(0 #(+ <#ty as ::portable::Portable>::TY.leaves())*)
 }
 
 /// Describes an enum of unit variants.
