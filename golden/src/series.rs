@@ -3,12 +3,12 @@
 
 use crate::instants::{self, Instants};
 use crate::mistake::Mistake;
-use crate::samples::{Samples, Shape};
+use crate::samples::{Samples, Shape, Signal};
 use crate::table::{Column, Row, Table, listed};
 use crate::value::{allowed, instead, parse};
 use crate::written::Precision;
 use generator::codes;
-use portable::{Extreme, Literal};
+use portable::{Extreme, Literal, RealKind};
 
 /// Rows that are that much longer than the recording repeat samples.
 const LONGER: f64 = 1.2;
@@ -276,14 +276,7 @@ impl<'t> Series<'t> {
         let content = table.number(cell);
         let Shape { real, signals } = &self.values.shape;
         let Some(value) = parse(&content, &signals[0], *real).filter(is_allowed) else {
-            let found = || format!("`{}` for {}", content.escape_default(), signals[0].name);
-            self.wrong.add(|| {
-                Mistake::new(row.place(cell), found(), allowed(signals[0].ty, *real)).instead(instead(
-                    &content,
-                    signals[0].ty,
-                    *real,
-                ))
-            });
+            self.wrong.add(|| wrong_cell(row.place(cell), &content, &signals[0], *real));
             return;
         };
         self.last = cell;
@@ -291,6 +284,11 @@ impl<'t> Series<'t> {
         self.values.push(&[value]);
         self.lines.push(row.line);
     }
+}
+
+fn wrong_cell(place: [usize; 2], content: &str, signal: &Signal, real: RealKind) -> Mistake {
+    let found = format!("`{}` for {}", content.escape_default(), signal.name);
+    Mistake::new(place, found, allowed(signal.ty, real)).instead(instead(content, signal.ty, real))
 }
 
 /// The number of samples of each column before the first common one.

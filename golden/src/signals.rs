@@ -33,20 +33,26 @@ pub(crate) fn of_columns(
     let mut signals: Vec<Option<usize>> = Vec::new();
     for column in &table.columns {
         let mapped = mapped(table, column, map);
-        let signal = match mapped {
-            Some(signal) => shape.place(signal),
-            None => named(column.name, shape, table.is_export),
-        };
-        let is_left_out = match mapped {
-            Some(signal) => signal == LEFT_OUT || other.contains(&signal),
-            None => table.is_export || other.contains(&column.name),
+        let (signal, is_left_out) = match mapped {
+            Some(signal) => (shape.place(signal), signal == LEFT_OUT || other.contains(&signal)),
+            None => (named(column.name, shape, table.is_export), table.is_export || other.contains(&column.name)),
         };
         if signal.is_some() && signals.contains(&signal) || signal.is_none() && !is_left_out {
             mistakes.push(wrong(column, mapped, signal.is_some(), shape));
         }
         signals.push(signal);
     }
-    for (at, column) in table.columns.iter().enumerate().filter(|_| table.is_export) {
+    if table.is_export {
+        mistakes.extend(find_by_symbol(table, shape, map, &mut signals));
+    }
+    mistakes.extend(ambiguous(table, map));
+    if mistakes.is_empty() { Ok(signals) } else { Err(mistakes) }
+}
+
+/// Finds the signals of an export's columns that only their symbol names; returns the errors: repeated columns.
+fn find_by_symbol(table: &Table<'_>, shape: &Shape, map: &Map, signals: &mut [Option<usize>]) -> Vec<Mistake> {
+    let mut mistakes = Vec::new();
+    for (at, column) in table.columns.iter().enumerate() {
         let by_name = signals[at].is_some() || mapped(table, column, map).is_some();
         let Some(signal) = named(column.symbol, shape, true).filter(|_| !by_name) else { continue };
         let by_symbol = |holder: usize| {
@@ -62,16 +68,20 @@ pub(crate) fn of_columns(
             Some(_) => {}
         }
     }
-    for (name, _) in map {
-        let with = |column: &&Column<'_>| column.symbol == name;
-        let by_symbol: Vec<_> = table.columns.iter().filter(with).collect();
-        if by_symbol.len() > 1 && table.columns.iter().all(|column| column.name != name) {
-            let found = format!("{} channels show `{}`, which --map names", by_symbol.len(), name.escape_default());
-            let names = listed(by_symbol.iter().map(|column| column.name));
-            mistakes.push(Mistake::new(by_symbol[0].place, found, names));
-        }
-    }
-    if mistakes.is_empty() { Ok(signals) } else { Err(mistakes) }
+    mistakes
+}
+
+/// The names in the map that are the symbol of several columns, and the name of none.
+fn ambiguous(table: &Table<'_>, map: &Map) -> Vec<Mistake> {
+    let mistake = |(name, _): &(String, String)| {
+        let by_symbol: Vec<_> = table.columns.iter().filter(|column| column.symbol == name).collect();
+        let is_name = table.columns.iter().any(|column| column.name == name);
+        let [first, _, ..] = by_symbol.as_slice() else { return None };
+        let found = format!("{} channels show `{}`, which --map names", by_symbol.len(), name.escape_default());
+        let names = listed(by_symbol.iter().map(|column| column.name));
+        (!is_name).then(|| Mistake::new(first.place, found, names))
+    };
+    map.iter().filter_map(mistake).collect()
 }
 
 /// The map's entry for a column, by its name, or by its symbol if no other channel shows it.

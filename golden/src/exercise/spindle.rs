@@ -9,9 +9,10 @@ use crate::subject::{literal, number};
 use generator::axis::{Axis, Spindle};
 use generator::blocks::{Block, Designed};
 use machine::grid::shortest;
+use machine::profile::Error;
+use machine::spindle::interpolator::{Commanded, Seen};
 use machine::spindle::operator::{Bad, Operator};
-use portable::Extreme;
-use portable::{Literal, RealKind};
+use portable::{Extreme, Literal, RealKind};
 
 /// The position of the spindle at the start [0.001 deg].
 const START: f64 = 10_000.0;
@@ -93,15 +94,9 @@ impl Partner for Machinery<'_> {
         } else {
             machine.coast();
         }
-        let mut seen = spindle_machine::seen(&outputs);
+        let seen = spindle_machine::seen(&outputs);
         let resets = operator.next(seen.state, outputs("waiting") == Some(0.0), outputs("fault") == Some(1.0));
-        let commanded = machine.next(&seen).or_else(|_| {
-            // After a fault the spindle may be faster than the start of any profile.
-            machine.restart(seen.x_spindle)?;
-            seen.v_spindle = 0.0;
-            machine.next(&seen)
-        });
-        let Ok(commanded) = commanded else { return };
+        let Ok(commanded) = commanded(machine, seen) else { return };
         let actual = machine.actual;
         let is_near = shortest(commanded.x - actual.x).abs() <= WINDOW;
         *display = if operator.stuck > 0 { *display } else { actual.mode };
@@ -133,6 +128,15 @@ impl Partner for Machinery<'_> {
             ["feedforward_active", "feedforward_percentage"].map(|name| self.signals.input(inputs, name));
         (self.step)(inputs, &mut self.answers);
     }
+}
+
+/// The next command of the interpolator. After a fault the spindle may be faster than the start of any profile: the
+/// interpolator then restarts at rest.
+fn commanded(machine: &mut Machine<'_>, seen: Seen) -> Result<Commanded, Error> {
+    machine.next(&seen).or_else(|_| {
+        machine.restart(seen.x_spindle)?;
+        machine.next(&Seen { v_spindle: 0.0, ..seen })
+    })
 }
 
 /// The operator of a spindle: a slow speed is within position control, a fast one beyond it.

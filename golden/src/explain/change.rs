@@ -130,11 +130,6 @@ impl Change {
         };
         let names = |columns: &[At]| columns.iter().map(name).collect::<Vec<_>>().join(", ");
         let input = |at: usize| name(&(Side::Input, at));
-        let late = |cycles: i32| {
-            let count = cycles.unsigned_abs();
-            let plural = if count == 1 { "cycle" } else { "cycles" };
-            format!("{count} {plural} {}", if cycles > 0 { "late" } else { "early" })
-        };
         match self {
             Self::Sign(columns) => format!("the recording has {} with the other sign", names(columns)),
             Self::Factor(columns, factor) if *factor < 1.0 => {
@@ -149,25 +144,33 @@ impl Change {
             Self::Repeated(times, _) => {
                 format!("every cycle was recorded {times} times: another sampling than the block's cycle")
             }
-            Self::Constant(at, value) => {
-                format!("{}, which has no column, was {}", input(*at), number(*value))
-            }
+            Self::Constant(at, value) => format!("{}, which has no column, was {}", input(*at), number(*value)),
             Self::Same(at, other) => format!("{}, which has no column, was the same as {}", input(*at), input(*other)),
             Self::CycleTime(time) => {
                 let [block, set] = [*time, case.designed.axis.cycle_time_ns].map(|time| f64::from(time) / 1e6);
                 format!("the block was generated for a cycle time of {block} ms, the set says {set} ms")
             }
             Self::Real(real) => {
-                let [block, set] = match real {
-                    RealKind::F32 => ["REAL (real = \"f32\")", "LREAL"],
-                    RealKind::F64 => ["LREAL (real = \"f64\")", "REAL"],
-                };
+                let [block, set] = computed_in(*real);
                 format!("the block computes in {block}, that of the set in {set}")
             }
             Self::Axis(at) => format!("it is the block of the axis {}", case.others[*at].axis.name),
-            Self::StageOff(stage) => {
-                format!("the block has other parameters: stage[{stage}] is not active in it")
-            }
+            Self::StageOff(stage) => format!("the block has other parameters: stage[{stage}] is not active in it"),
         }
+    }
+}
+
+/// `1 cycle late`, `2 cycles early`.
+fn late(cycles: i32) -> String {
+    let count = cycles.unsigned_abs();
+    let plural = if count == 1 { "cycle" } else { "cycles" };
+    format!("{count} {plural} {}", if cycles > 0 { "late" } else { "early" })
+}
+
+/// The real type of the block, and the other one, which is that of the set.
+fn computed_in(real: RealKind) -> [&'static str; 2] {
+    match real {
+        RealKind::F32 => ["REAL (real = \"f32\")", "LREAL"],
+        RealKind::F64 => ["LREAL (real = \"f64\")", "REAL"],
     }
 }

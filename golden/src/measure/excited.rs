@@ -82,24 +82,20 @@ pub(super) fn measure(
     };
     let unit = record.velocity_ratio();
     let motor: Vec<f64> = v_motor[measured.clone()].iter().map(|v| v * unit).collect();
-    let raw = match Lines::measured(&sequence, record.cycle, &v_cmd[measured.clone()], &motor) {
-        Ok(raw) => raw,
-        Err(refused) => {
-            verdicts.push(said(refused, &measured, record.cycle));
-            return None;
-        }
-    };
+    let all = Lines::measured(&sequence, record.cycle, &v_cmd[measured.clone()], &motor);
+    let all = all.map_err(|refused| verdicts.push(said(refused, &measured, record.cycle))).ok()?;
     let load = record.get("a_load").and_then(|a_load| {
         Lines::of_periods(&sequence, record.cycle, &v_motor[measured.clone()], &a_load[measured.clone()]).ok()
     });
     let half = sequence.half_clock(record.cycle);
-    let dead_time = dead_time_of(&raw, record.cycle);
-    let lines = raw.up_to(half).smoothed(record.cycle);
+    let dead_time = dead_time_of(&all, record.cycle);
+    let raw = all.up_to(half);
+    let lines = raw.smoothed(record.cycle);
     let load = load.map(|load| load.up_to(half).smoothed(record.cycle));
     let is_of_task = dead_time_is_possible(dead_time, record.cycle, verdicts);
     find_uncertain(&lines, verdicts);
-    let is_alone = has_no_foreign_line(&raw.up_to(half), verdicts);
-    let excited = Excited { sequence, measured, raw: raw.up_to(half), lines, dead_time, load };
+    let is_alone = has_no_foreign_line(&raw, verdicts);
+    let excited = Excited { sequence, measured, raw, lines, dead_time, load };
     (fits && follows(&excited.lines, verdicts) && is_of_task && is_alone).then_some(excited)
 }
 

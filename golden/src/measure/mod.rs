@@ -93,19 +93,7 @@ pub fn measure(
     }
     let mut measured = Measured { channels, ..Measured::default() };
     let verdicts = &mut measured.verdicts;
-    if !is_sampled(&measured.channels, verdicts) {
-        return measured;
-    }
-    let doubt = measured.channels.iter().find_map(|channel| channel.timing.doubt.as_ref());
-    if let Some(found) = doubt.filter(|_| cycle_time.is_none()) {
-        let instead = "state the unit, as in `time [us]`; for 100 ns, --cycle-time TIME and --map NAME=-";
-        verdicts.push(Verdict::note(codes::ASSUMED_UNIT, found, instead));
-    }
-    let Some(mut record) = Record::new(measured.channels.clone(), verdicts) else {
-        let instead = "record a move, and export all of its samples";
-        verdicts.push(Verdict::refusal(codes::MEASURED_TOO_SHORT, "no sample that all channels have", instead));
-        return measured;
-    };
+    let Some(mut record) = combined(&measured.channels, cycle_time, verdicts) else { return measured };
     let fits = record.find_units(verdicts) & relations::positions_fit(&record, verdicts);
     find_error_unit(&record, None, verdicts);
     record.find_clipping(verdicts);
@@ -113,13 +101,14 @@ pub fn measure(
     for channel in &mut measured.channels {
         channel.unit = record.channel(channel.signal).map_or(channel.unit, |known| known.unit);
     }
-    if record.get("v_add").is_some_and(|v_add| v_add.iter().any(|value| *value != 0.0)) {
+    let is_active = |signal| record.get(signal).is_some_and(|values| values.iter().any(|value| *value != 0.0));
+    if is_active("v_add") {
         let instead = "record with all stages OFF or DRYRUN";
         verdicts.push(Verdict::note(codes::STAGES_ACTED, "v_add is not 0: stages acted", instead));
     }
     measured.offsets = relations::offsets(&record, verdicts);
     let is_excited = match excitation {
-        Excitation::AsRecorded => record.get("v_excite").is_some_and(|values| values.iter().any(|value| *value != 0.0)),
+        Excitation::AsRecorded => is_active("v_excite"),
         Excitation::Stated { .. } => true,
     };
     if is_excited {
@@ -131,6 +120,24 @@ pub fn measure(
     }
     measured.record = Some(record);
     measured
+}
+
+/// The record that the channels make together; `None` after a refusal.
+fn combined(channels: &[Channel], cycle_time: Option<f64>, verdicts: &mut Vec<Verdict>) -> Option<Record> {
+    if !is_sampled(channels, verdicts) {
+        return None;
+    }
+    let doubt = channels.iter().find_map(|channel| channel.timing.doubt.as_ref());
+    if let Some(found) = doubt.filter(|_| cycle_time.is_none()) {
+        let instead = "state the unit, as in `time [us]`; for 100 ns, --cycle-time TIME and --map NAME=-";
+        verdicts.push(Verdict::note(codes::ASSUMED_UNIT, found, instead));
+    }
+    let record = Record::new(channels.to_vec(), verdicts);
+    if record.is_none() {
+        let instead = "record a move, and export all of its samples";
+        verdicts.push(Verdict::refusal(codes::MEASURED_TOO_SHORT, "no sample that all channels have", instead));
+    }
+    record
 }
 
 /// Whether each channel has an interval and no gap.

@@ -175,6 +175,12 @@ impl Record {
     /// Infers the units that the columns do not state, and reports contradictions; returns whether a response between both
     /// velocities is possible.
     pub(super) fn find_units(&mut self, verdicts: &mut Vec<Verdict>) -> bool {
+        self.infer_units();
+        self.find_assumed_units(verdicts);
+        self.velocities_fit(verdicts)
+    }
+
+    fn infer_units(&mut self) {
         let velocity = ["v_motor", "v_cmd", "v_command"].into_iter().find_map(|name| self.channel(name));
         let of_velocity = velocity.and_then(|of| of.unit.or_else(|| Unit::of_velocity(peak(&of.values))));
         let speed = velocity.map(|of| of.values.clone());
@@ -196,24 +202,22 @@ impl Record {
                 channel.unit = channel.unit.map(|unit| unit.rotary().unwrap_or(unit));
             }
         }
+    }
+
+    fn find_assumed_units(&self, verdicts: &mut Vec<Verdict>) {
         for Channel { signal, unit, scaling, .. } in self.channels.iter().filter(|channel| channel.is_stated) {
             let Some((scaling, unit)) = scaling.as_ref().zip(*unit) else { continue };
             let found = format!("{signal} has {scaling}: its values are taken as scaled, in {}", unit.name);
             let instead = "check that the export scales the values; if not, export them again, scaled";
             verdicts.push(Verdict::note(codes::ASSUMED_UNIT, found, instead));
         }
-        for channel in &self.channels {
-            let Some(stated) = &channel.other_unit else { continue };
-            let taken = channel.unit.map_or("no unit", |unit| unit.name);
-            let found = format!("the unit of {}, `{stated}`, is not known: {taken} is assumed", channel.signal);
-            let instead = format!(
-                "state its unit after its name, as in `{} [UNIT]`: {}",
-                channel.signal,
-                channel.quantity.names()
-            );
+        for Channel { signal, unit, other_unit, quantity, .. } in &self.channels {
+            let Some(stated) = other_unit else { continue };
+            let taken = unit.map_or("no unit", |unit| unit.name);
+            let found = format!("the unit of {signal}, `{stated}`, is not known: {taken} is assumed");
+            let instead = format!("state its unit after its name, as in `{signal} [UNIT]`: {}", quantity.names());
             verdicts.push(Verdict::note(codes::ASSUMED_UNIT, found, instead));
         }
-        self.velocities_fit(verdicts)
     }
 
     fn velocities_fit(&self, verdicts: &mut Vec<Verdict>) -> bool {

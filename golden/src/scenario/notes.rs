@@ -24,59 +24,40 @@ impl Note {
 
 /// The note about words that the reader has skipped.
 pub(super) fn of(passed: &Passed) -> Note {
-    let Passed { kind, line, column, words, count } = passed;
-    let listed = if words.is_empty() { String::new() } else { format!(" ({})", words.join(", ")) };
-    let words_of = |what: &str| format!("{}{listed} of {what} passed over", counted(*count, "word"));
-    let (code, found, instead) = match kind {
-        PassedKind::Tool => (codes::NC_PASSED, words_of("the tool") + ": its length and its radius are taken as 0", ""),
-        PassedKind::Machine => {
-            (codes::NC_PASSED, words_of("the machine") + ": no time, no stop and no output of them", "")
+    let (code, instead) = match passed.kind {
+        PassedKind::Tool | PassedKind::Machine | PassedKind::Setting => (codes::NC_PASSED, ""),
+        PassedKind::PathMode => (codes::NC_PATH_MODE, ""),
+        PassedKind::Offset => (codes::NC_OFFSET, "positions of the machine, if several offsets are used"),
+        PassedKind::MachinePosition => (codes::NC_OFFSET, "`G74 X1`, or `G00` and the position"),
+        PassedKind::Skip => (codes::NC_ASSUMED, "the program without them, if they are skipped on the machine"),
+        PassedKind::DwellUnit => (codes::NC_ASSUMED, "`G04 X` and seconds"),
+        PassedKind::Preset => {
+            (codes::NC_ASSUMED, "positions without `G92`, if the controller adds its numbers to them")
         }
-        PassedKind::Setting => (codes::NC_PASSED, words_of("settings") + ": they change nothing here", ""),
-        PassedKind::PathMode => (codes::NC_PATH_MODE, words_of("the path mode") + ": each block ends with a stop", ""),
-        PassedKind::Offset => (
-            codes::NC_OFFSET,
-            words_of("zero offsets") + ": all offsets are taken as 0",
-            "positions of the machine, if several offsets are used",
-        ),
-        PassedKind::MachinePosition => (
-            codes::NC_OFFSET,
-            format!("{}{listed} to positions of the machine not made: they are unknown", counted(*count, "move")),
-            "`G74 X1`, or `G00` and the position",
-        ),
-        PassedKind::Skip => (
-            codes::NC_ASSUMED,
-            format!("{} with `/` run, as with the switch off", counted(*count, "block")),
-            "the program without them, if they are skipped on the machine",
-        ),
-        PassedKind::DwellUnit => (
-            codes::NC_ASSUMED,
-            format!(
-                "{}{listed} with a time of unknown unit: taken as ms from 100 on, below as s",
-                counted(*count, "dwell")
-            ),
-            "`G04 X` and seconds",
-        ),
-        PassedKind::Preset => (
-            codes::NC_ASSUMED,
-            format!("{} with `G92` taken as another number for the present position", counted(*count, "block")),
-            "positions without `G92`, if the controller adds its numbers to them",
-        ),
-        PassedKind::NoFeed => (
-            codes::NC_ASSUMED,
-            format!("{} with `G01` before any F: made with vb_max (P-AXIS-00212)", counted(*count, "move")),
-            "`F` and a feed in mm/min",
-        ),
-        PassedKind::NoEnd => {
-            (codes::NC_ASSUMED, "a program without `M30` or `M2`: its end is the end of the file".to_owned(), "`M30`")
-        }
-        PassedKind::AfterEnd => (
-            codes::NC_ASSUMED,
-            format!("{} after the end of the program not read", counted(*count, "line")),
-            "a file of one program",
-        ),
+        PassedKind::NoFeed => (codes::NC_ASSUMED, "`F` and a feed in mm/min"),
+        PassedKind::NoEnd => (codes::NC_ASSUMED, "`M30`"),
+        PassedKind::AfterEnd => (codes::NC_ASSUMED, "a file of one program"),
     };
-    Note { code, line: *line, column: *column, found, instead: instead.to_owned() }
+    Note { code, line: passed.line, column: passed.column, found: found(passed), instead: instead.to_owned() }
+}
+
+fn found(Passed { kind, words, count, .. }: &Passed) -> String {
+    let (what, rest) = match kind {
+        PassedKind::Tool => ("word", "of the tool passed over: its length and its radius are taken as 0"),
+        PassedKind::Machine => ("word", "of the machine passed over: no time, no stop and no output of them"),
+        PassedKind::Setting => ("word", "of settings passed over: they change nothing here"),
+        PassedKind::PathMode => ("word", "of the path mode passed over: each block ends with a stop"),
+        PassedKind::Offset => ("word", "of zero offsets passed over: all offsets are taken as 0"),
+        PassedKind::MachinePosition => ("move", "to positions of the machine not made: they are unknown"),
+        PassedKind::Skip => ("block", "with `/` run, as with the switch off"),
+        PassedKind::DwellUnit => ("dwell", "with a time of unknown unit: taken as ms from 100 on, below as s"),
+        PassedKind::Preset => ("block", "with `G92` taken as another number for the present position"),
+        PassedKind::NoFeed => ("move", "with `G01` before any F: made with vb_max (P-AXIS-00212)"),
+        PassedKind::NoEnd => return "a program without `M30` or `M2`: its end is the end of the file".to_owned(),
+        PassedKind::AfterEnd => ("line", "after the end of the program not read"),
+    };
+    let listed = if words.is_empty() { String::new() } else { format!(" ({})", words.join(", ")) };
+    format!("{}{listed} {rest}", counted(*count, what))
 }
 
 /// Things of one kind as they are found: the line of the first one, and their number.

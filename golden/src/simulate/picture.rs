@@ -21,14 +21,7 @@ type Signal = fn(&Record, usize) -> f64;
 pub fn of(simulation: &Simulation, axis: &str) -> Option<Picture> {
     let [off, on] = [simulation.rows.first()?, simulation.rows.last()?];
     let both = [("off", &off.record), ("on", &on.record)];
-    let (setup, name, unit, seen): (_, _, _, Signal) = match simulation.moved {
-        Moved::Demonstration => ("the demonstration plant", "load acceleration", "m/s^2", |record, n| record.sensor[n]),
-        Moved::Drive => {
-            ("a drive without mechanics, ripple of 1 mm/s at each f0", "v_motor - planned", "mm/s", |record, n| {
-                record.signals[n].v_motor / 1e3 - record.v_planned[n] * 1e3
-            })
-        }
-    };
+    let ([setup, name, unit], seen) = vibration(simulation.moved);
     let time = Over {
         across: Across::Time { until: on.record.command.len() as f64 * on.record.cycle },
         events: Vec::new(),
@@ -60,15 +53,24 @@ pub fn of(simulation: &Simulation, axis: &str) -> Option<Picture> {
     })
 }
 
+/// The setup, and the signal that shows the vibration: its name, its unit and itself.
+fn vibration(moved: Moved) -> ([&'static str; 3], Signal) {
+    match moved {
+        Moved::Demonstration => {
+            (["the demonstration plant", "load acceleration", "m/s^2"], |record, n| record.sensor[n])
+        }
+        Moved::Drive => {
+            (["a drive without mechanics, ripple of 1 mm/s at each f0", "v_motor - planned", "mm/s"], |record, n| {
+                record.signals[n].v_motor / 1e3 - record.v_planned[n] * 1e3
+            })
+        }
+    }
+}
+
 /// The figures of a run, below the title.
 fn numbers(row: &Row) -> String {
-    let ms = format!("Ms {}", row.ms_in_words());
-    format!(
-        "{}: following error {:.2} mm, peak v_add {:.1} mm/s, {ms}",
-        row.name,
-        row.following_error,
-        row.peak_v_add / 1e3
-    )
+    let (error, peak) = (row.following_error, row.peak_v_add / 1e3);
+    format!("{}: following error {error:.2} mm, peak v_add {peak:.1} mm/s, Ms {}", row.name, row.ms_in_words())
 }
 
 fn curve(name: &str, record: &Record, value: Signal) -> Curve {

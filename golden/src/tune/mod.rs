@@ -46,7 +46,7 @@ pub enum Stages {
 }
 
 /// What is proposed for an axis.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Tuning {
     /// [s]
     pub cycle_time: f64,
@@ -77,28 +77,18 @@ pub fn tune(
         cycle_time: axis.cycle_time(),
         is_rotary: axis.control.is_rotary,
         gains: axis.control.placed(axis.drive.position_gain),
-        chosen: Vec::new(),
-        proposals: Vec::new(),
-        verdicts: Vec::new(),
-        lines: None,
+        ..Tuning::default()
     };
     let all = [Some(moves), excited];
     if all.iter().flatten().any(|measured| measured.refuses()) {
         return tuning;
     }
     let records: Vec<&Record> = all.iter().flatten().filter_map(|measured| measured.record.as_ref()).collect();
-    let (Some(record), true) = (moves.record.as_ref(), is_usable(moves, &records, &mut tuning)) else { return tuning };
-    if records.iter().any(|record| !is_of_block(axis, record, &mut tuning.verdicts)) {
-        return tuning;
-    }
+    let is_usable = is_usable(axis, moves, &records, &mut tuning);
+    let Some(record) = moves.record.as_ref().filter(|_| is_usable) else { return tuning };
     tuning.verdicts.extend(records.iter().find_map(|record| of_other_kind(record, tuning.is_rotary)));
     tuning.chosen = chosen::choose(moves, &mut tuning.verdicts);
-    let of_set = axis.drive.response.as_ref().map(|measured| Lines::of(&measured.response));
-    let of_excited = excited.and_then(|measured| Some(measured.excited.as_ref()?.lines.clone()));
-    let lines = match prefer {
-        Prefer::Excited => of_excited.or(of_set),
-        Prefer::Set => of_set.or(of_excited),
-    };
+    let lines = response(axis, excited, prefer);
     if tuning.chosen.is_empty() {
         let left_out = if tuning.verdicts.is_empty() { "" } else { " that a stage can damp" };
         let found = format!("no vibration{left_out} at constant speed or after a ramp");
@@ -112,6 +102,15 @@ pub fn tune(
         (tuning.proposals, tuning.lines) = (proposals, lines);
     }
     tuning
+}
+
+fn response(axis: &Axis, excited: Option<&Measured>, prefer: Prefer) -> Option<Lines> {
+    let of_set = axis.drive.response.as_ref().map(|measured| Lines::of(&measured.response));
+    let of_excited = excited.and_then(|measured| Some(measured.excited.as_ref()?.lines.clone()));
+    match prefer {
+        Prefer::Excited => of_excited.or(of_set),
+        Prefer::Set => of_set.or(of_excited),
+    }
 }
 
 /// The proposals, or the prediction for the stages of the axis; `None` if it has no stages to be predicted.
@@ -147,6 +146,33 @@ fn of_other_kind(record: &Record, is_rotary: bool) -> Option<Verdict> {
     Some(Verdict::note(codes::UNITS_DIFFER, found, "record this axis, or select the recorded one with --axis"))
 }
 
+/// Whether what stages would do to the moves can be known.
+fn is_usable(axis: &Axis, moves: &Measured, records: &[&Record], tuning: &mut Tuning) -> bool {
+    let cycle = tuning.cycle_time;
+    let mut refuse = |code, found: String, instead| tuning.verdicts.push(Verdict::refusal(code, found, instead));
+    if let Some(other) = records.iter().find(|record| !is_same_interval(record.cycle, cycle)) {
+        let found = format!("sampled every {} ms, the cycle of the set is {} ms", other.cycle * 1e3, cycle * 1e3);
+        refuse(codes::OTHER_CYCLE, found, "record in the task that runs the block, in every cycle");
+    }
+    if moves.verdicts.iter().any(|verdict| verdict.code == codes::STAGES_ACTED) {
+        let found = "stages acted while the moves were recorded: what others would do cannot be known".to_owned();
+        refuse(codes::STAGES_ACTED, found, "record with all stages OFF or DRYRUN");
+    }
+    let v_motor = moves.record.as_ref().and_then(|record| record.get("v_motor"));
+    let Some(v_motor) = v_motor else {
+        let found = "stages look at v_motor, which is not recorded".to_owned();
+        refuse(codes::NO_CHANNEL, found, "record v_motor, or name it with --map SCOPE=SIGNAL");
+        return false;
+    };
+    let peak = peak(v_motor);
+    let is_moving = |v: Option<&f64>| v.is_some_and(|v| libm::fabs(*v) > AT_REST * peak);
+    if is_moving(v_motor.first()) || is_moving(v_motor.last()) {
+        let found = "the recording of the moves does not begin and end at rest".to_owned();
+        refuse(codes::NOT_AT_REST, found, "record from rest to rest");
+    }
+    tuning.verdicts.is_empty() && records.iter().all(|record| is_of_block(axis, record, &mut tuning.verdicts))
+}
+
 /// Whether `v_motor` is what the block took, as far as a dry run shows it: `v_add_calculated` is C times that, with C
 /// of the stages that the axis has. The one pair of channels that shows a `v_motor` which is whole cycles late.
 fn is_of_block(axis: &Axis, record: &Record, verdicts: &mut Vec<Verdict>) -> bool {
@@ -170,31 +196,4 @@ fn is_of_block(axis: &Axis, record: &Record, verdicts: &mut Vec<Verdict>) -> boo
         verdicts.push(Verdict::refusal(codes::CHANNEL_LATE, found, instead));
     }
     !is_late
-}
-
-/// Whether what stages would do to the moves can be known.
-fn is_usable(moves: &Measured, records: &[&Record], tuning: &mut Tuning) -> bool {
-    let cycle = tuning.cycle_time;
-    let mut refuse = |code, found: String, instead| tuning.verdicts.push(Verdict::refusal(code, found, instead));
-    if let Some(other) = records.iter().find(|record| !is_same_interval(record.cycle, cycle)) {
-        let found = format!("sampled every {} ms, the cycle of the set is {} ms", other.cycle * 1e3, cycle * 1e3);
-        refuse(codes::OTHER_CYCLE, found, "record in the task that runs the block, in every cycle");
-    }
-    if moves.verdicts.iter().any(|verdict| verdict.code == codes::STAGES_ACTED) {
-        let found = "stages acted while the moves were recorded: what others would do cannot be known".to_owned();
-        refuse(codes::STAGES_ACTED, found, "record with all stages OFF or DRYRUN");
-    }
-    let v_motor = moves.record.as_ref().and_then(|record| record.get("v_motor"));
-    let Some(v_motor) = v_motor else {
-        let found = "stages look at v_motor, which is not recorded".to_owned();
-        refuse(codes::NO_CHANNEL, found, "record v_motor, or name it with --map SCOPE=SIGNAL");
-        return false;
-    };
-    let peak = peak(v_motor);
-    let is_moving = |v: Option<&f64>| v.is_some_and(|v| libm::fabs(*v) > AT_REST * peak);
-    if is_moving(v_motor.first()) || is_moving(v_motor.last()) {
-        let found = "the recording of the moves does not begin and end at rest".to_owned();
-        refuse(codes::NOT_AT_REST, found, "record from rest to rest");
-    }
-    tuning.verdicts.is_empty()
 }

@@ -51,30 +51,7 @@ impl Task<'_> {
         given: Option<&[Stage]>,
         verdicts: &mut Vec<Verdict>,
     ) -> Vec<Proposal> {
-        let (v_motor, error) = (self.record.get("v_motor").unwrap_or_default(), self.following_error());
-        let load = self.record.load();
-        let channel = |chosen: &Chosen| self.record.get(chosen.channel).unwrap_or_default();
-        let channels: Vec<&[f64]> = self.chosen.iter().map(channel).collect();
-        let vibration = |(channel, chosen): (usize, &Chosen)| {
-            let channel = (chosen.channel != "following_error").then_some(channel);
-            Vibration { hz: chosen.hz, when: chosen.when, channel }
-        };
-        let vibrations: Vec<Vibration> = self.chosen.iter().enumerate().map(vibration).collect();
-        let (load, error) = (load.as_deref(), error.as_deref());
-        let record = figures::Record { channels: &channels, v_motor, load, error, ramps: &self.ramps };
-        let stages = responses(self.axis.cycle_time());
-        let (cycle_time, [position_gain, _]) = (self.axis.cycle_time(), self.gains());
-        let task =
-            proposals::Task { cycle_time, position_gain, lines, record, vibrations: &vibrations, stages: &*stages };
-        let found = match given {
-            Some(given) => try_out(&task, controller(given, cycle_time, position_gain))
-                .map(|prediction| vec![self.proposal(Kind::Given, given.to_vec(), prediction)]),
-            None => propose(&task).map(|found| {
-                let all = found.into_iter().map(|of| self.proposal(of.kind, all_rounded(&of.stages), of.prediction));
-                all.filter(|of| !of.stages.is_empty()).collect()
-            }),
-        };
-        let all: Vec<Proposal> = match found {
+        let all = match self.predicted(lines, given) {
             Ok(found) if !found.is_empty() => found,
             found => {
                 let refused = found.err().unwrap_or(Refused::NoWeight);
@@ -95,6 +72,33 @@ impl Task<'_> {
         }
         self.find_limit(&all, verdicts);
         all
+    }
+
+    /// The proposals of the search, or the prediction for the given stages.
+    fn predicted(&self, lines: &Lines, given: Option<&[Stage]>) -> Result<Vec<Proposal>, Refused> {
+        let (v_motor, error) = (self.record.get("v_motor").unwrap_or_default(), self.following_error());
+        let load = self.record.load();
+        let channel = |chosen: &Chosen| self.record.get(chosen.channel).unwrap_or_default();
+        let channels: Vec<&[f64]> = self.chosen.iter().map(channel).collect();
+        let vibration = |(channel, chosen): (usize, &Chosen)| {
+            let channel = (chosen.channel != "following_error").then_some(channel);
+            Vibration { hz: chosen.hz, when: chosen.when, channel }
+        };
+        let vibrations: Vec<Vibration> = self.chosen.iter().enumerate().map(vibration).collect();
+        let (load, error) = (load.as_deref(), error.as_deref());
+        let record = figures::Record { channels: &channels, v_motor, load, error, ramps: &self.ramps };
+        let stages = responses(self.axis.cycle_time());
+        let (cycle_time, [position_gain, _]) = (self.axis.cycle_time(), self.gains());
+        let task =
+            proposals::Task { cycle_time, position_gain, lines, record, vibrations: &vibrations, stages: &*stages };
+        match given {
+            Some(given) => try_out(&task, controller(given, cycle_time, position_gain))
+                .map(|prediction| vec![self.proposal(Kind::Given, given.to_vec(), prediction)]),
+            None => propose(&task).map(|found| {
+                let all = found.into_iter().map(|of| self.proposal(of.kind, all_rounded(&of.stages), of.prediction));
+                all.filter(|of| !of.stages.is_empty()).collect()
+            }),
+        }
     }
 
     /// Whether what the stages add stays below the largest v_add of the axis (P-AXIS-00757).
