@@ -97,31 +97,17 @@ fn read_as(path: &Path, options: &ListOptions, load: Load<'_>, purpose: Purpose)
     let cycle_time = check::cycle_time(&given.top, given.no_cycle_time, &mut report);
     let mut checked: Vec<Option<Checked<'_>>> = (given.axes.par_iter())
         .map(|axis| {
-            Some(check::axis(
-                &axis.name,
-                cycle_time,
-                axis.values.as_ref()?,
-                axis.home.clone(),
-                purpose == Purpose::Tune,
-            ))
+            let (values, home) = (axis.values.as_ref()?, axis.home.clone());
+            Some(check::axis(&axis.name, cycle_time, values, home, purpose == Purpose::Tune))
         })
         .collect();
     // The design of a slave depends on its master. If axes are missing, nothing is reported about that.
     let has_errors = report.has_errors() || given.axes.iter().any(|axis| axis.report.has_errors());
     let coupling = if has_errors { None } else { couple(&mut checked, given.is_list) };
-    let designed: Vec<(Option<Designed>, Report)> =
-        given.axes.par_iter().zip(checked).map(|axis| design(axis, (path, load), purpose)).collect();
+    let designed = given.axes.par_iter().zip(checked).map(|axis| design(axis, (path, load), purpose)).collect();
     let mut set = Set { targets: check::targets(&given.top), ..Set::default() };
     set.foreign = given.axes.iter().map(|axis| axis.foreign.count).sum();
-    let (mut refused, mut names) = (Vec::new(), BTreeMap::new());
-    for (of, (designed, said)) in given.axes.iter().zip(designed) {
-        if designed.is_none() {
-            refused.push(RefusedAxis { axis: of.name.clone(), found: first_error(&said) });
-        }
-        report.extend(said);
-        report.diagnostics.extend(designed.as_ref().and_then(|designed| name_twice(designed, &of.home, &mut names)));
-        set.axes.extend(designed);
-    }
+    let mut refused = divide(&given.axes, designed, &mut set.axes, &mut report);
     if !report.has_errors() {
         report.extend(coupling.unwrap_or_default());
     }
@@ -131,6 +117,25 @@ fn read_as(path: &Path, options: &ListOptions, load: Load<'_>, purpose: Purpose)
     let is_whole = refused.is_empty() && !report.diagnostics.iter().any(is_refusal);
     let shown = Shown { set, refused, is_allowed: !report.has_errors(), is_whole };
     (Some(shown), report.shortened())
+}
+
+/// Adds the axes that could be designed, and the messages about all of them; returns the others.
+fn divide(
+    given: &[GivenAxis],
+    designed: Vec<(Option<Designed>, Report)>,
+    axes: &mut Vec<Designed>,
+    report: &mut Report,
+) -> Vec<RefusedAxis> {
+    let (mut refused, mut names) = (Vec::new(), BTreeMap::new());
+    for (of, (designed, said)) in given.iter().zip(designed) {
+        if designed.is_none() {
+            refused.push(RefusedAxis { axis: of.name.clone(), found: first_error(&said) });
+        }
+        report.extend(said);
+        report.diagnostics.extend(designed.as_ref().and_then(|designed| name_twice(designed, &of.home, &mut names)));
+        axes.extend(designed);
+    }
+    refused
 }
 
 /// Rejects a block whose name the block of another axis has: `spindle_axis` of S, and `axis` of S_spindle.

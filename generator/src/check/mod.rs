@@ -90,55 +90,56 @@ fn checked<'v>(name: &str, cycle_time: Option<u32>, mut effective: Effective<'v>
     if let Some(ns) = cycle_time {
         effective.note(key(Name::CycleTime), &Value::Duration(u64::from(ns)));
     }
-    let real = effective.word(key(Name::RealType)).map(|real| match real {
+    let (axis, gear) = validated(name, cycle_time, &mut effective, is_tuned).unzip();
+    Checked { axis, gear: gear.unwrap_or_default(), effective }
+}
+
+/// The axis with its gear step; `None` after a reported error.
+fn validated(name: &str, cycle_time: Option<u32>, e: &mut Effective<'_>, is_tuned: bool) -> Option<(Axis, u32)> {
+    let real = e.word(key(Name::RealType)).map(|real| match real {
         RealType::F64 => RealKind::F64,
         RealType::F32 => RealKind::F32,
     });
-    let short_names = short_names(&mut effective, name);
-    let counts_calls = counts_calls(&mut effective);
-    let changes_over = spindle::is_asked_for(&mut effective);
-    let axis_type = effective.word(key(Name::AxisType));
-    gear::check(&mut effective);
-    effective.block = Some(IPC);
-    let ipc = ipc::check(&mut effective, cycle_time, real);
-    let control = control(&mut effective, cycle_time, (axis_type, changes_over), ipc.as_ref());
-    effective.block = Some(EXCITATION);
-    let excitation = excitation::check(&mut effective, cycle_time);
-    let gear = control.as_ref().map_or(0, |(_, gear)| *gear);
-    let has_drive = is_tuned || ipc.as_ref().is_some_and(Ipc::is_active);
-    let has_loop = control.as_ref().is_some_and(|(control, _)| control.position_control.is_some());
-    if has_drive || has_loop {
-        drive::shorter_delay(&mut effective);
+    let short_names = short_names(e, name);
+    let counts_calls = counts_calls(e);
+    let changes_over = spindle::is_asked_for(e);
+    let axis_type = e.word(key(Name::AxisType));
+    gear::check(e);
+    e.block = Some(IPC);
+    let ipc = ipc::check(e, cycle_time, real);
+    let control = control(e, cycle_time, (axis_type, changes_over), ipc.as_ref());
+    e.block = Some(EXCITATION);
+    let excitation = excitation::check(e, cycle_time);
+    let has_stages = is_tuned || ipc.as_ref().is_some_and(Ipc::is_active);
+    let drive = drive_of_stages(e, has_stages, control.as_ref().map(|(control, _)| control));
+    if e.report.has_errors() {
+        return None;
     }
-    let drive = if has_drive { drive_model::check(&mut effective) } else { Some(DriveModel::default()) };
-    let axis = match (real, short_names.zip(counts_calls), cycle_time, ipc.zip(drive), control.zip(excitation)) {
-        (
-            Some(real),
-            Some((short_names, counts_calls)),
-            Some(cycle_time_ns),
-            Some((ipc, drive)),
-            Some(((control, _), excitation)),
-        ) if !effective.report.has_errors() => {
-            let blocks = [IPC, FEEDFORWARD, POSITION_CONTROL, SPINDLE, EXCITATION];
-            let (canonical, own) = effective.canonical(blocks);
-            let canonical_of = blocks.into_iter().zip(own).collect();
-            Some(Axis {
-                name: name.to_owned(),
-                real,
-                short_names,
-                cycle_time_ns,
-                counts_calls,
-                ipc,
-                control,
-                excitation: excitation.present(),
-                drive,
-                canonical,
-                canonical_of,
-            })
-        }
-        _ => None,
+    let blocks = [IPC, FEEDFORWARD, POSITION_CONTROL, SPINDLE, EXCITATION];
+    let (canonical, own) = e.canonical(blocks);
+    let (control, gear) = control?;
+    let axis = Axis {
+        name: name.to_owned(),
+        real: real?,
+        short_names: short_names?,
+        cycle_time_ns: cycle_time?,
+        counts_calls: counts_calls?,
+        ipc: ipc?,
+        control,
+        excitation: excitation?.present(),
+        drive: drive?,
+        canonical,
+        canonical_of: blocks.into_iter().zip(own).collect(),
     };
-    Checked { axis, gear, effective }
+    Some((axis, gear))
+}
+
+/// The drive, if stages act or are to be proposed; else the default one.
+fn drive_of_stages(e: &mut Effective<'_>, has_stages: bool, control: Option<&Control>) -> Option<DriveModel> {
+    if has_stages || control.is_some_and(|control| control.position_control.is_some()) {
+        drive::shorter_delay(e);
+    }
+    if has_stages { drive_model::check(e) } else { Some(DriveModel::default()) }
 }
 
 /// The length of an axis name for which `ax_NAME_ipc_inputs_init` has 31 characters.
@@ -176,13 +177,25 @@ fn control(
     let is_spindle = axis_type == Some(AxisType::Spindle);
     let is_rotary = is_spindle || axis_type == Some(AxisType::Rotator);
     let master = ipc::master(e);
+    let control = Control { number, is_rotary, is_spindle, master, drive_type: drive_type(e), ..Control::default() };
     if ipc.is_some_and(|ipc| !ipc.is_active()) && master.is_none() && !changes_over && !is_asked_for(e) {
         // The drive does not matter: a real machine's list may contain any values for it.
-        let drive_type = drive_type(e);
-        return Some((Control { number, is_rotary, is_spindle, drive_type, ..Control::default() }, 0));
+        return Some((control, 0));
     }
+    control_with_drive(e, cycle_time, (axis_type, changes_over), ipc, control)
+}
+
+/// The same for an axis whose drive matters.
+fn control_with_drive(
+    e: &mut Effective<'_>,
+    cycle_time: Option<u32>,
+    (axis_type, changes_over): (Option<AxisType>, bool),
+    ipc: Option<&Ipc>,
+    control: Control,
+) -> Option<(Control, u32)> {
     // Without a drive, which has been reported, the rest is still validated.
     let drive = drive::check(e).unwrap_or_default();
+    let [is_slave, has_stages] = [control.master.is_some(), ipc.is_some_and(Ipc::is_active)];
     // The self-test of every block moves within the axis's largest velocity.
     let v_max = (Name::VbMax, [drive.gear, 0]);
     e.block = Some(FEEDFORWARD);
@@ -193,9 +206,8 @@ fn control(
     e.integer(v_max);
     let position_control = feedforward
         .as_ref()
-        .and_then(|_| position_control::check(e, (&drive, cycle_time), ipc, has_feedforward, master.is_some()));
+        .and_then(|_| position_control::check(e, (&drive, cycle_time), ipc, has_feedforward, is_slave));
     e.block = Some(SPINDLE);
-    let [is_slave, has_stages] = [master.is_some(), ipc.is_some_and(Ipc::is_active)];
     let spindle = if changes_over {
         spindle::check(e, cycle_time, &drive, has_feedforward, [is_slave, has_stages]).map(Presence::Present)
     } else {
@@ -204,25 +216,12 @@ fn control(
     };
     let (feedforward, position_control) = (feedforward?.present(), position_control?.present());
     let spindle = spindle?.present();
-    let is_active = ipc.is_some_and(Ipc::is_active) && master.is_none();
-    let depends = Depends::new(is_active || spindle.is_some(), feedforward.as_ref(), position_control.as_ref());
+    let is_limited = has_stages && !is_slave || spindle.is_some();
+    let depends = Depends::new(is_limited, feedforward.as_ref(), position_control.as_ref());
     let assumed = e.assumed(|name| depends.is_told(name));
-    let control = Control {
-        feedforward,
-        position_control,
-        spindle,
-        number,
-        is_rotary,
-        is_spindle,
-        master,
-        master_limit: None,
-        slaves: Vec::new(),
-        assumed,
-        location: drive.is_stated.then_some(drive.location),
-        drive_type: drive_type(e),
-        kv: kv(e, drive.gear),
-    };
-    Some((control, drive.gear))
+    let location = drive.is_stated.then_some(drive.location);
+    let kv = kv(e, drive.gear);
+    Some((Control { feedforward, position_control, spindle, assumed, location, kv, ..control }, drive.gear))
 }
 
 /// The drive type, if given, even if no block depends on it.

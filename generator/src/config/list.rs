@@ -112,13 +112,11 @@ impl Reading<'_> {
     fn own_key(&mut self, at: usize, comment: &[u8]) {
         let Some(own) = own_key::in_comment(comment) else { return };
         let (source, [path_at, value_at]) = (self.source, [at + own.path_at, at + own.text_at]);
-        let places = [path_at, value_at].map(|at| source.place(at));
         if let Path::OutOfRange { name, .. } = path::find(own.path) {
-            let [place, _] = places;
-            self.list.report.push(out_of_range(name, own.path, place));
+            self.list.report.push(out_of_range(name, own.path, source.place(path_at)));
             return;
         }
-        match own.read(places) {
+        match own.read([path_at, value_at].map(|at| source.place(at))) {
             Ok((key, spelling, value)) => {
                 let source = Arc::clone(source);
                 let setting = Setting { value: Some(value), refused: None, spelling, source, path_at, value_at };
@@ -226,18 +224,7 @@ impl Reading<'_> {
             Some(known) => unknown("not known", Some(closest::with_indices_of(known, written))),
             // The usual case, tested first, because comparing letters is slow.
             None if !structure.is_some_and(closest::is_ours) => {
-                self.list.foreign.pass_over(statement, last, source, start);
-                let mut known = closest::nearly(written, length, last);
-                known.extend(structure.and_then(|structure| closest::below_another(written, structure)));
-                if !known.is_empty() {
-                    self.list.foreign.nearly.push((written.to_owned(), known, place()));
-                }
-                if structure.is_some() || !statement.value.contains(' ') || statement.value.starts_with('=') {
-                    return None;
-                }
-                let found = "words without the sign of a comment: no parameter has such a path".to_owned();
-                let instead = format!("# {written} {}", statement.value);
-                Some(Diagnostic::warning(codes::WRAPPED, place(), found).instead(instead))
+                self.of_another_function(start, statement, structure, (length, last))
             }
             None if path::is_structure(written) => {
                 unknown("a structure: its parameters have values", closest::first_below(written))
@@ -251,6 +238,28 @@ impl Reading<'_> {
                 }
             },
         }
+    }
+
+    /// Passes over a parameter of another function; the message if the line is probably a comment.
+    fn of_another_function(
+        &mut self,
+        start: usize,
+        statement: &Statement<'_>,
+        structure: Option<[&str; 2]>,
+        (length, last): (usize, &str),
+    ) -> Option<Diagnostic> {
+        let (path, value, source) = (statement.path, statement.value, self.source);
+        let place = || source.place(start + statement.path_at());
+        self.list.foreign.pass_over(statement, last, source, start);
+        let mut known = closest::nearly(path, length, last);
+        known.extend(structure.and_then(|structure| closest::below_another(path, structure)));
+        if !known.is_empty() {
+            self.list.foreign.nearly.push((path.to_owned(), known, place()));
+        }
+        let is_prose = structure.is_none() && value.contains(' ') && !value.starts_with('=');
+        let found = "words without the sign of a comment: no parameter has such a path";
+        let said = || Diagnostic::warning(codes::WRAPPED, place(), found).instead(format!("# {path} {value}"));
+        is_prose.then(said)
     }
 
     /// The parameter that a wrong line was meant to give is not missing: that would be a second message about one mistake.
@@ -329,11 +338,8 @@ fn value_of(parameter: &Parameter, path: &str, text: &str) -> Result<Value, Refu
         let instead = Some(format!("{path} {}", rest.trim_ascii_start()));
         refused(codes::LINE, format!("is {}: a list has no `=`", value::shown(text)), instead)
     } else if text.contains([' ', '\t']) && !matches!(parameter.kind, Kind::Flags(_)) {
-        refused(
-            codes::LINE,
-            format!("is {}: more than one value", value::shown(text)),
-            value::meant_number(parameter, text),
-        )
+        let found = format!("is {}: more than one value", value::shown(text));
+        refused(codes::LINE, found, value::meant_number(parameter, text))
     } else {
         value::of_text(parameter, text)
     }

@@ -80,37 +80,15 @@ fn scale(axis: Node<'_, '_>) -> Result<(f64, [f64; 2], usize), Option<String>> {
 fn list(axis: Node<'_, '_>, cycle: Option<u64>, document: &Document<'_>, source: &Arc<Source>) -> NcAxis {
     let mut taken: Vec<(u32, String)> = Vec::new();
     let (mut said, mut left) = (Vec::new(), Vec::new());
-    let row = |at: usize| document.text_pos_at(at).row;
-    let mut take = |at: usize, lines: &[(&str, f64)]| {
-        let text: Vec<String> = lines.iter().map(|(path, value)| format!("{path} {value}")).collect();
-        taken.extend(text.iter().map(|line| (row(at), line.clone())));
-        text.join(", ")
-    };
-    match number(axis, &["AxisPara", "Velo"], "Maximum") {
-        Ok((velocity, at)) => {
-            let line = take(at, &[("getriebe[0].dynamik.vb_max", (velocity * VELOCITY).round())]);
-            said.push(format!("Velo Maximum {velocity} mm/s is {line} (P-AXIS-00212)"));
+    for read in values(axis) {
+        match read {
+            Ok((at, value, lines, ids)) => {
+                said.push(format!("{value} is {} ({ids})", lines.join(", ")));
+                let row = document.text_pos_at(at).row;
+                taken.extend(lines.into_iter().map(|line| (row, line)));
+            }
+            Err(value) => left.push(value),
         }
-        Err(text) => left.push(("Velo", "Maximum", text, "getriebe[0].dynamik.vb_max")),
-    }
-    match number(axis, &["Controller", "CtrPara", "PID"], "PosKp") {
-        Ok((kv, at)) => {
-            let line = take(at, &[("getriebe[0].kv", (kv * KV).round())]);
-            said.push(format!("PID PosKp {kv}/s is {line} (P-AXIS-00099)"));
-        }
-        Err(text) => left.push(("PID", "PosKp", text, "getriebe[0].kv")),
-    }
-    match scale(axis) {
-        Ok((scale, [increments, path], at)) => {
-            let line = take(at, &[("getriebe[0].wegaufz", increments), ("getriebe[0].wegaufn", path)]);
-            said.push(format!("EncPara scale {scale} mm per increment is {line} (P-AXIS-00234, 00233)"));
-        }
-        Err(text) => left.push((
-            "EncPara",
-            "ScaleFactorNumerator",
-            text,
-            "getriebe[0].wegaufz and wegaufn, if a spindle needs them",
-        )),
     }
     let is_inverse = |path: &[&str]| {
         let node = path.iter().try_fold(axis, |node, name| child(node, name));
@@ -130,6 +108,31 @@ fn list(axis: Node<'_, '_>, cycle: Option<u64>, document: &Document<'_>, source:
         name: name.and_then(axis_name::of_tree_item),
         said: note(place, name, &said, &left, cycle),
     }
+}
+
+/// A value that was accepted: its position, what it is in the file, its lines of a list, and their parameters.
+type Accepted = (usize, String, Vec<String>, &'static str);
+
+/// The largest velocity, Kv and the scaling of the encoder.
+fn values(axis: Node<'_, '_>) -> [Result<Accepted, Left>; 3] {
+    let velocity = number(axis, &["AxisPara", "Velo"], "Maximum").map(|(velocity, at)| {
+        let line = format!("getriebe[0].dynamik.vb_max {}", (velocity * VELOCITY).round());
+        (at, format!("Velo Maximum {velocity} mm/s"), vec![line], "P-AXIS-00212")
+    });
+    let kv = number(axis, &["Controller", "CtrPara", "PID"], "PosKp").map(|(kv, at)| {
+        let line = format!("getriebe[0].kv {}", (kv * KV).round());
+        (at, format!("PID PosKp {kv}/s"), vec![line], "P-AXIS-00099")
+    });
+    let scale = scale(axis).map(|(scale, [increments, path], at)| {
+        let lines = vec![format!("getriebe[0].wegaufz {increments}"), format!("getriebe[0].wegaufn {path}")];
+        (at, format!("EncPara scale {scale} mm per increment"), lines, "P-AXIS-00234, 00233")
+    });
+    let of_scale = "getriebe[0].wegaufz and wegaufn, if a spindle needs them";
+    [
+        velocity.map_err(|text| ("Velo", "Maximum", text, "getriebe[0].dynamik.vb_max")),
+        kv.map_err(|text| ("PID", "PosKp", text, "getriebe[0].kv")),
+        scale.map_err(|text| ("EncPara", "ScaleFactorNumerator", text, of_scale)),
+    ]
 }
 
 /// A value that was not accepted: its element and its attribute, the text found there, and what to write.

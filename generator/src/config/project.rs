@@ -31,26 +31,20 @@ pub(crate) fn lists(source: &Arc<Source>) -> Result<Vec<AxisList>, Report> {
     if !text.trim_ascii_start().starts_with(b"<") {
         return Ok(vec![of(0..source.bytes.len(), None)]);
     }
-    let refused = |found: String| {
-        let said = Diagnostic::error(codes::PROJECT, source.whole(), found);
-        said.allowed(
-            "an axis list, or a project of TwinCAT with the element AchsMds of an axis, or with an axis of the NC",
-        )
-    };
+    let refused = |found: &str| refused(source, found);
     let shift = source.bytes.len() - text.len();
-    let text = str::from_utf8(text).map_err(|_| Report::from(refused("the file is XML, and not UTF-8".to_owned())))?;
+    let text = str::from_utf8(text).map_err(|_| Report::from(refused("the file is XML, and not UTF-8")))?;
     let document = xml::parse(text).map_err(|xml::Refused { found, place }| {
-        let said = refused(found);
+        let said = refused(&found);
         let (line, column) = place.unwrap_or((said.place.line, said.place.column));
         let place = Place { line, column, ..said.place };
         Report::from(Diagnostic { place, ..said })
     })?;
-    let elements = document.descendants().filter(|node| node.has_tag_name(ELEMENT));
+    let elements = document.descendants().filter(|node| node.has_tag_name(ELEMENT) && node.text().is_some());
     let found: Vec<AxisList> = elements
-        .filter(|element| element.text().is_some())
         .map(|element| {
             let range = list_in(element, text).ok_or_else(|| {
-                let said = refused(format!("the element {ELEMENT} has its list in another form than one CDATA"));
+                let said = refused(&format!("the element {ELEMENT} has its list in another form than one CDATA"));
                 Report::from(Diagnostic { place: source.place(shift + element.range().start), ..said })
             })?;
             Ok(of(range.start + shift..range.end + shift, name_of(element)))
@@ -62,10 +56,12 @@ pub(crate) fn lists(source: &Arc<Source>) -> Result<Vec<AxisList>, Report> {
     let list =
         |NcAxis { source, name, said }| AxisList { range: 0..source.bytes.len(), source, name, said: Some(said) };
     let of_nc: Vec<AxisList> = nc_axis::lists(&document, source).into_iter().map(list).collect();
-    if !of_nc.is_empty() {
-        return Ok(of_nc);
-    }
-    Err(refused(without_list(&document)).into())
+    if of_nc.is_empty() { Err(refused(&without_list(&document)).into()) } else { Ok(of_nc) }
+}
+
+fn refused(source: &Source, found: &str) -> Diagnostic {
+    Diagnostic::error(codes::PROJECT, source.whole(), found)
+        .allowed("an axis list, or a project of TwinCAT with the element AchsMds of an axis, or with an axis of the NC")
 }
 
 fn without_list(document: &Document<'_>) -> String {

@@ -8,7 +8,7 @@ use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Scope, path_with};
 use std::{collections::HashMap, sync::Arc};
 use toml::Spanned;
-use toml::de::{DeString, DeTable, DeValue};
+use toml::de::{DeArray, DeString, DeTable, DeValue};
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AxisTable<'a> {
@@ -99,8 +99,11 @@ pub(crate) fn values_of(source: &Arc<Source>, axis: AxisTable<'_>, report: &mut 
     values
 }
 
-/// The values below a table. Its path ends with a point, except that of the axis itself.
+/// The values below a table. The path of the axis itself is empty.
 fn below(source: &Arc<Source>, table: &DeTable<'_>, path: &mut String, values: &mut Values, report: &mut Report) {
+    if !path.is_empty() {
+        path.push('.');
+    }
     let above = path.len();
     for (key, value) in in_file_order(table) {
         path.truncate(above);
@@ -120,27 +123,28 @@ fn below(source: &Arc<Source>, table: &DeTable<'_>, path: &mut String, values: &
                 if table.is_empty() {
                     report.push(no_key(path, place()));
                 }
-                path.push('.');
                 below(source, table, path, values, report);
             }
             (_, DeValue::Array(array)) if path::is_structure(&format!("{path}[]")) => {
                 if array.is_empty() {
                     report.push(no_element(path, place()));
                 }
-                let length = path.len();
-                for (i, element) in array.iter().enumerate() {
-                    path.truncate(length);
-                    path.push_str(&format!("[{i}]"));
-                    match element.get_ref() {
-                        DeValue::Table(table) => {
-                            path.push('.');
-                            below(source, table, path, values, report);
-                        }
-                        other => report.push(no_table(path, other, source.place(element.span().start))),
-                    }
-                }
+                elements(source, array, path, values, report);
             }
             (_, other) => report.push(unknown(path, other, place())),
+        }
+    }
+}
+
+/// The values below the elements of an array.
+fn elements(source: &Arc<Source>, array: &DeArray<'_>, path: &mut String, values: &mut Values, report: &mut Report) {
+    let above = path.len();
+    for (i, element) in array.iter().enumerate() {
+        path.truncate(above);
+        path.push_str(&format!("[{i}]"));
+        match element.get_ref() {
+            DeValue::Table(table) => below(source, table, path, values, report),
+            other => report.push(no_table(path, other, source.place(element.span().start))),
         }
     }
 }

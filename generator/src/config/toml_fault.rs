@@ -18,7 +18,41 @@ const LONGEST: usize = 1000;
 
 /// The messages for the faults of a text, each with the position and the words of the parser.
 pub(super) fn said(source: &Source, text: &str, faults: impl Iterator<Item = (usize, String)>) -> Vec<Diagnostic> {
-    let mut lines: BTreeMap<usize, (usize, String)> = BTreeMap::new();
+    let lines = first_of_each_line(text, faults);
+    let mut unclosed = unclosed(text);
+    // What the parser says about the lines below follows from it. Where something is closed that was not opened, what it says
+    // about the lines above does too, unless another fault explains that.
+    let is_cause = unclosed.as_ref().is_some_and(|(at, ..)| text[*at..].starts_with([']', '}']));
+    let last = unclosed.as_ref().map_or(text.len(), |(at, ..)| *at);
+    let last = text[..last].rfind('\n').map_or(0, |end| end + 1);
+    let error = |at: usize, found: String| Diagnostic::error(codes::SYNTAX, source.place(at), found);
+    let mut said = Vec::new();
+    for (start, (column, words)) in lines.into_iter().take_while(|(start, _)| *start <= last).take(LINES) {
+        let line = text[start..].lines().next().unwrap_or_default();
+        let is_comment = line.trim_start().starts_with('#');
+        let fault = match () {
+            () if is_comment || line.len() > LONGEST => None,
+            () if line.trim().starts_with('{') && text[..start].trim().is_empty() => Some(json(line)),
+            () => fault(line, column.min(line.len()), &words),
+        };
+        match fault {
+            Some((at, found, instead)) => {
+                said.push(error(start + at, on_a_line(&found)).instead(on_a_line(&instead)));
+                unclosed = unclosed.filter(|_| start < last);
+            }
+            None if unclosed.is_none() || start < last && !is_cause => {
+                said.push(error(start + column, format!("no TOML: {words}")))
+            }
+            None => {}
+        }
+    }
+    said.extend(unclosed.map(|(at, found, instead)| error(at, found).instead(instead)));
+    said
+}
+
+/// The first fault of each line, by the start of the line: its column, and the words of the parser.
+fn first_of_each_line(text: &str, faults: impl Iterator<Item = (usize, String)>) -> BTreeMap<usize, (usize, String)> {
+    let mut lines = BTreeMap::new();
     let mut seen = 0..0;
     for (at, words) in faults {
         // A position inside a character would have no column.
@@ -32,37 +66,7 @@ pub(super) fn said(source: &Source, text: &str, faults: impl Iterator<Item = (us
             break;
         }
     }
-    let mut unclosed = unclosed(text);
-    // What the parser says about the lines below follows from it. Where something is closed that was not opened, what it says
-    // about the lines above does too, unless another fault explains that.
-    let is_cause = unclosed.as_ref().is_some_and(|(at, ..)| text[*at..].starts_with([']', '}']));
-    let last = unclosed.as_ref().map_or(text.len(), |(at, ..)| *at);
-    let last = text[..last].rfind('\n').map_or(0, |end| end + 1);
-    let mut said = Vec::new();
-    for (start, (column, words)) in lines.into_iter().take_while(|(start, _)| *start <= last).take(LINES) {
-        let line = text[start..].lines().next().unwrap_or_default();
-        let error = |at: usize, found| Diagnostic::error(codes::SYNTAX, source.place(start + at), found);
-        let is_comment = line.trim_start().starts_with('#');
-        let fault = match () {
-            () if is_comment || line.len() > LONGEST => None,
-            () if line.trim().starts_with('{') && text[..start].trim().is_empty() => Some(json(line)),
-            () => fault(line, column.min(line.len()), &words),
-        };
-        match fault {
-            Some((at, found, instead)) => {
-                said.push(error(at, on_a_line(&found)).instead(on_a_line(&instead)));
-                unclosed = unclosed.filter(|_| start < last);
-            }
-            None if unclosed.is_none() || start < last && !is_cause => {
-                said.push(error(column, format!("no TOML: {words}")))
-            }
-            None => {}
-        }
-    }
-    said.extend(
-        unclosed.map(|(at, found, instead)| Diagnostic::error(codes::SYNTAX, source.place(at), found).instead(instead)),
-    );
-    said
+    lines
 }
 
 fn json(line: &str) -> Fault {
@@ -139,11 +143,8 @@ fn fault(line: &str, column: usize, words: &str) -> Option<Fault> {
         return Some((start, format!("`{sign}` begins no comment of TOML"), "`#` before a comment".to_owned()));
     }
     if let Some(at) = line.find(['\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}']) {
-        return Some((
-            at,
-            "a typographic quote, as a text processor writes it".to_owned(),
-            "\" around a string".to_owned(),
-        ));
+        let found = "a typographic quote, as a text processor writes it".to_owned();
+        return Some((at, found, "\" around a string".to_owned()));
     }
     if words.contains("duplicate key") {
         return Some((start, "the key is given twice".to_owned(), "one of the two lines".to_owned()));
@@ -191,12 +192,9 @@ fn values(line: &str) -> Vec<Written<'_>> {
 }
 
 fn value_fault(Written { at, text, next }: Written<'_>) -> Option<Fault> {
-    let is_digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     let plain = text.trim_end_matches(';').trim_end();
     let found = |what: &str| format!("{} is {what}", shown(text));
-    let (number, unit) = plain.split_at(plain.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(plain.len()));
-    let number = number.trim_end();
-    let said = match () {
+    let (found, instead) = match () {
         () if text.is_empty() => ("the key has no value".to_owned(), "a value after `=`".to_owned()),
         () if is_number(text) && is_digits(next) => {
             (format!("`{text},{next}` has a decimal comma"), format!("{text}.{next}"))
@@ -215,25 +213,36 @@ fn value_fault(Written { at, text, next }: Written<'_>) -> Option<Fault> {
         {
             (found("a word without quotes"), format!("\"{text}\""))
         }
+        () => number_fault(text).map(|(what, instead)| (found(what), instead))?,
+    };
+    Some((at, found, instead))
+}
+
+fn is_digits(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+/// What a wrong number is, and what to write instead.
+fn number_fault(text: &str) -> Option<(&'static str, String)> {
+    let (number, unit) = text.split_at(text.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(text.len()));
+    let number = number.trim_end();
+    Some(match () {
         () if !unit.is_empty() && is_number(number) && !is_number(text) => match unit {
-            "s" | "ms" | "us" | "ns" => (found("a time without quotes"), format!("\"{text}\"")),
-            _ => (found("a number with a unit"), number.to_owned()),
+            "s" | "ms" | "us" | "ns" => ("a time without quotes", format!("\"{text}\"")),
+            _ => ("a number with a unit", number.to_owned()),
         },
         () if text.matches('.').count() > 1
             && let Some(number) = grouped(text, '.') =>
         {
-            (found("a number with several points"), number)
+            ("a number with several points", number)
         }
-        () if text.starts_with('.') && is_number(text) => {
-            (found("a number that begins with a point"), format!("0{text}"))
-        }
-        () if text.ends_with('.') && is_number(text) => (found("a number that ends with a point"), format!("{text}0")),
+        () if text.starts_with('.') && is_number(text) => ("a number that begins with a point", format!("0{text}")),
+        () if text.ends_with('.') && is_number(text) => ("a number that ends with a point", format!("{text}0")),
         () if text.len() > 1 && text.starts_with('0') && is_digits(text) => {
-            (found("a number that begins with 0"), text.trim_start_matches('0').to_owned())
+            ("a number that begins with 0", text.trim_start_matches('0').to_owned())
         }
         () => return None,
-    };
-    Some((at, said.0, said.1))
+    })
 }
 
 /// The fault in the key of a line.

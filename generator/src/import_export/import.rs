@@ -10,7 +10,7 @@ use crate::config::{
 };
 use crate::diagnostics::Report;
 use crate::parameters::words::{ListEncoding, Words};
-use crate::parameters::{Name, Value};
+use crate::parameters::{Name, Parameter, Value};
 use std::path::Path;
 use toml_edit::Table;
 
@@ -86,13 +86,7 @@ impl Taken {
                         cycle_time = Some(toml);
                     } else {
                         let above = comments_above(std::mem::take(&mut above));
-                        let comment = match line.content {
-                            Content::Statement(statement) => {
-                                let after = spelling::after(parameter, statement.value);
-                                format!(" {}{}", after, comment_text(statement.comment))
-                            }
-                            _ => String::new(),
-                        };
+                        let comment = comment_after(parameter, line.content);
                         tables::insert(&mut axis, slot.template, slot.key.1, toml, &above, comment.trim_end());
                     }
                 }
@@ -147,6 +141,12 @@ impl Taken {
 fn comments_above(mut comments: Vec<String>) -> String {
     comments.dedup_by(|next, last| next.is_empty() && last.is_empty());
     comments.into_iter().map(|comment| comment + "\n").collect()
+}
+
+/// The comment after a value, with a blank before it.
+fn comment_after(parameter: &Parameter, content: Content<'_>) -> String {
+    let Content::Statement(statement) = content else { return String::new() };
+    format!(" {}{}", spelling::after(parameter, statement.value), comment_text(statement.comment))
 }
 
 /// A comment in TOML: any other sign becomes `#`, bytes that are not UTF-8 are read as latin-1, and control characters are

@@ -24,26 +24,12 @@ pub(super) fn points(
     cycle_time: f64,
     said: &mut Said<'_>,
 ) -> Vec<Point> {
-    let is_decibel = match &columns.value {
-        Value::Parts(_) => false,
-        Value::Polar { magnitude, .. } => is_decibel(lines, magnitude, from, said),
-    };
+    let sizes = sizes(lines, &columns.value, from, said);
     if said.report.has_errors() {
         return Vec::new();
-    }
-    let sizes: Vec<f64> = lines.iter().map(|line| size(line, &columns.value, is_decibel)).collect();
-    for (line, _) in lines.iter().zip(&sizes).filter(|(_, size)| **size <= 0.0 || !size.is_finite()) {
-        said.push(
-            said.error(codes::RESPONSE_CELL, [line.line, line.columns[1]], "a magnitude that no measurement gives")
-                .allowed("above 0")
-                .instead("the measured value, finite and above 0"),
-        );
     }
     let errors = lines.iter().zip(&sizes).map(|(line, size)| relative_error(line, *size, columns.error.as_ref()));
     let errors: Vec<f64> = errors.collect();
-    if said.report.has_errors() {
-        return Vec::new();
-    }
     let dead = Dead::new(lines.iter().map(|line| line.hz).zip(sizes.iter().copied()), &errors, from, cycle_time);
     let phases = phases(lines, &columns.value, &dead, from, said);
     lines
@@ -60,7 +46,26 @@ pub(super) fn points(
         .collect()
 }
 
-/// The magnitude as a factor.
+/// The magnitudes as factors; an error if one is not above 0, or not finite.
+fn sizes(lines: &[Line], value: &Value<'_>, from: From, said: &mut Said<'_>) -> Vec<f64> {
+    let is_decibel = match value {
+        Value::Parts(_) => false,
+        Value::Polar { magnitude, .. } => is_decibel(lines, magnitude, from, said),
+    };
+    if said.report.has_errors() {
+        return Vec::new();
+    }
+    let sizes: Vec<f64> = lines.iter().map(|line| size(line, value, is_decibel)).collect();
+    for (line, _) in lines.iter().zip(&sizes).filter(|(_, size)| **size <= 0.0 || !size.is_finite()) {
+        said.push(
+            said.error(codes::RESPONSE_CELL, [line.line, line.columns[1]], "a magnitude that no measurement gives")
+                .allowed("above 0")
+                .instead("the measured value, finite and above 0"),
+        );
+    }
+    sizes
+}
+
 fn size(line: &Line, value: &Value<'_>, is_decibel: bool) -> f64 {
     let [first, second] = line.value;
     match value {
@@ -91,11 +96,8 @@ fn is_decibel(lines: &[Line], magnitude: &Used<'_>, from: From, said: &mut Said<
     let is_one = (NEAR_ONE[0]..=NEAR_ONE[1]).contains(&lowest);
     match (magnitude.unit, negative) {
         (Some(Unit::Decibel), None) if is_one && matches!(from, From::Command { .. }) => {
-            let found = format!(
-                "`{}` is {} at the lowest lines and never below 0: that is a factor",
-                magnitude.name,
-                four(lowest)
-            );
+            let (name, lowest) = (magnitude.name, four(lowest));
+            let found = format!("`{name}` is {lowest} at the lowest lines and never below 0: that is a factor");
             said.push(
                 said.error(codes::MAGNITUDE_UNIT, magnitude.place, found)
                     .allowed("dB: near 0 at the lowest lines, below 0 above the bandwidth")
