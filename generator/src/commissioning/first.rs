@@ -13,12 +13,11 @@ use askama::Template;
 /// What the template shows.
 #[derive(Template)]
 #[template(path = "commissioning/first.md")]
-pub(super) struct First {
-    axis: String,
+pub(super) struct First<'a> {
+    axis: &'a Axis,
     /// of the block `excitation`
     names: Names,
     has_notices: bool,
-    counts_calls: bool,
     /// inputs of the block `excitation` that hold it at rest
     off: &'static str,
     unit: &'static str,
@@ -27,13 +26,10 @@ pub(super) struct First {
     in_drive: bool,
     additive: &'static str,
     cycle: String,
-    cycle_ns: u32,
     /// [s]
     window: String,
     drive_time: String,
     quiet: String,
-    /// [%]
-    agreement: f64,
     /// `None`: the axis does not have the block `excitation`
     excite: Option<Excite>,
     /// number of the section about proposals
@@ -44,7 +40,7 @@ pub(super) struct First {
 }
 
 /// The page of an axis without an active stage, for these targets.
-pub(super) fn page(axis: &Axis, targets: &[Target]) -> First {
+pub(super) fn page<'a>(axis: &'a Axis, targets: &[Target]) -> First<'a> {
     let excite = Excite::of(axis);
     let recorded = format!("axgen tune SET --axis {} --recording moves.csv", axis.name);
     let (section, tune, proposal) = match &excite {
@@ -54,20 +50,17 @@ pub(super) fn page(axis: &Axis, targets: &[Target]) -> First {
         None => (3, recorded, "first"),
     };
     First {
-        axis: axis.name.clone(),
+        axis,
         names: Names::new(axis, EXCITATION, targets),
         has_notices: true,
-        counts_calls: axis.counts_calls,
         off: "`hold_to_run := FALSE`",
         unit: axis.control.velocity_unit(),
         in_drive: !axis.control.commands_by_position(),
         additive: PositionControl::ADDITIVE_VELOCITY,
         cycle: cycle(axis),
-        cycle_ns: axis.cycle_time_ns,
         window: digits(LEAST_WINDOW),
         drive_time: digits(LEAST_DRIVE),
         quiet: digits(LEAST_QUIET),
-        agreement: AGREEMENT,
         excite,
         section,
         tune,

@@ -45,8 +45,8 @@ const SETTLING: f64 = 0.3;
 /// The data of the template.
 #[derive(Template)]
 #[template(path = "commissioning/page.md")]
-struct Page {
-    axis: String,
+struct Page<'a> {
+    axis: &'a Axis,
     /// the block to call, by its name in the registry
     kind: &'static str,
     names: Names,
@@ -58,7 +58,6 @@ struct Page {
     is_spindle: bool,
     /// whether what the stages add reaches the drive
     has_way_out: bool,
-    has_watch: bool,
     /// other blocks to call, which do not contain the block `ipc`
     others: String,
     /// whether the block may report notices
@@ -69,15 +68,10 @@ struct Page {
     /// inputs of the block that hold it at rest
     off: String,
     takes_sets: bool,
-    /// the denominator of a weight without effect
-    no_weight: u32,
     /// digest of the parameters of the block `ipc`
     parameters: String,
     unit: &'static str,
     cycle: String,
-    cycle_ns: u32,
-    /// whether the block counts its calls
-    counts_calls: bool,
     /// [ms]
     fade: String,
     limit: String,
@@ -88,21 +82,12 @@ struct Page {
     stages: Vec<Stage>,
     /// the drive for which the rows are judged
     drive: &'static str,
-    max_ms: f64,
-    /// for a stage
-    all_rows: usize,
-    /// the place of the file for trying the weights
-    trial: &'static str,
     /// [s]
     window: String,
     /// [s]
     drive_time: String,
     /// [s]
     quiet: String,
-    agreement: f64,
-    rest: f64,
-    growth: f64,
-    reserve: u32,
 }
 
 /// An input velocity of the block.
@@ -125,62 +110,54 @@ pub(crate) fn file(designed: &Designed, parameters: String, targets: &[Target]) 
     }
 }
 
-fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
+fn page<'a>(designed: &'a Designed, parameters: String, targets: &[Target]) -> Page<'a> {
     let axis = &designed.axis;
     // The last block of the registry that contains `ipc`.
     let kind = blocks::names(axis).into_iter().rfind(|name| WHOLE.contains(name)).unwrap_or(IPC);
     let is_inside = kind != IPC;
     let is_tunable = axis.ipc.tuning().is_some();
-    // The drive that the set states, else the ideal one.
-    let drive = [Known::stated(&axis.drive).unwrap_or(Known::IDEAL)];
-    let points = closed_loop::points(designed, &drive, designed.axis.drive.position_gain);
-    let closed = points.as_ref().map(|points| Loop::new(points, drive[0].drive()));
-    let stages = designed.stage.iter().flatten().enumerate();
-    let of_loop = |mode| closed.as_ref().filter(|_| closed_loop::closes_loop(&axis.control, mode));
-    let command = command_name(axis, is_inside);
-    let stages: Vec<Stage> =
-        stages.map(|(n, design)| Stage::new(n, design, command, of_loop(design.stage.mode))).collect();
+    let stages = stages(designed, command_name(axis, is_inside));
     let longest = |of: fn(&Stage) -> f64, least| stages.iter().map(of).fold(least, f64::larger);
     Page {
-        axis: axis.name.clone(),
+        axis,
         kind,
         names: Names::new(axis, kind, targets),
         is_inside,
         unconnected: Unconnected::new(axis),
         is_spindle: is_inside && axis.control.spindle.is_some(),
         has_way_out: axis.control.position_control.as_ref().is_none_or(PositionControl::passes_v_add),
-        has_watch: axis.ipc.watch,
         others: if is_inside { String::new() } else { others(axis) },
         has_notices: is_tunable || axis.ipc.takes_sets() || axis.ipc.watch,
         is_tunable,
         slaves: axis.control.slaves.iter().map(|slave| format!("`{slave}`")).collect::<Vec<_>>().join(", "),
         off: off(&stages, is_tunable),
         takes_sets: axis.ipc.takes_sets(),
-        no_weight: NO_WEIGHT,
         parameters,
         unit: axis.control.velocity_unit(),
         cycle: cycle(axis),
-        cycle_ns: axis.cycle_time_ns,
-        counts_calls: axis.counts_calls,
         fade: digits(f64::from(designed.ipc.fade_cycles) * f64::from(axis.cycle_time_ns) / 1e6),
         limit: digits(axis.ipc.limit()),
         limit_path: Name::VAddMaxFact.parameter().path,
         enable_path: Name::Enable.parameter().path,
         limits: limits(&axis.ipc),
         signals: signals(axis, is_inside),
-        trial: if is_tunable { "" } else { "trial/" },
         window: digits(longest(|stage| stage.seconds, LEAST_WINDOW)),
         drive_time: digits(longest(|stage| stage.seconds + SETTLING, LEAST_DRIVE)),
         quiet: digits(longest(|stage| stage.quiet, LEAST_QUIET)),
         stages,
         drive: if axis.drive.is_given() { "the drive that the set states" } else { "an ideal drive" },
-        max_ms: MAX_MS,
-        all_rows: PARTS.len(),
-        agreement: AGREEMENT,
-        rest: REST,
-        growth: GROWTH,
-        reserve: RESERVE,
     }
+}
+
+/// The active stages, each with the loop that it closes. The drive is the one that the set states, else the ideal one.
+fn stages(designed: &Designed, command: &'static str) -> Vec<Stage> {
+    let axis = &designed.axis;
+    let drive = [Known::stated(&axis.drive).unwrap_or(Known::IDEAL)];
+    let points = closed_loop::points(designed, &drive, axis.drive.position_gain);
+    let closed = points.as_ref().map(|points| Loop::new(points, drive[0].drive()));
+    let of_loop = |mode| closed.as_ref().filter(|_| closed_loop::closes_loop(&axis.control, mode));
+    let stages = designed.stage.iter().flatten().enumerate();
+    stages.map(|(n, design)| Stage::new(n, design, command, of_loop(design.stage.mode))).collect()
 }
 
 /// The cycle time as `--cycle-time` reads it.

@@ -88,32 +88,20 @@ impl Exercise {
         let mut usual = exercised::<R, B>(coeffs);
         let (reals, signals) = (for_axis.reals(), for_axis.signals());
         let position = |path: &str| program.inputs.iter().position(|input| input.path == path);
-        let counter = position("cycle_counter").filter(|input| signals.contains(input));
+        let signal = |path: &str| position(path).filter(|input| signals.contains(input));
+        let counter = signal("cycle_counter");
         let calls = counter.and_then(|counter| Some(Calls { counter, reset: position("reset")? }));
         // If calls are counted, TwinCAT reads the task's values where these are 0.
         if let (Some(counter), Some(cycle)) = (counter, position("task_cycle_ns")) {
             (usual[counter], usual[cycle]) = (Literal::U32(1), Literal::U32(wanted.cycle_time_ns));
         }
         let is_switch = |input: &usize| reals.iter().all(|real| real.position != *input);
-        let drill = wanted.drill.iter().filter_map(|part| {
-            let input = position(part.input).filter(|input| signals.contains(input))?;
-            let value = match part.value {
-                Literal::F64(value) => leaf(R::lit(value)),
-                other => other,
-            };
-            Some(Turn::new(part.samples.clone(), input, value))
-        });
+        let turn = |of: &Drill| Some(Turn::new(of.samples.clone(), signal(of.input)?, in_real::<R>(of.value)));
         let [quiet, loud] = wanted.ranges;
         let huge = sample_limit::<R>() * R::lit(0.125);
-        let own = &for_axis.program;
-        let is_number = |input: &&Variable| input.ty == Type::Real && own.in_set(input).is_some();
-        let numbers = own.inputs.iter().filter(is_number).count();
-        // Each number is checked in pieces, one in a cycle, before and after all are copied.
-        let pieces = last_piece::<R>() as usize + 1;
-        let of_sets = if numbers > 0 { 2 * (numbers * pieces + 2) } else { 0 };
-        let wait = if program.typed { wanted.start } else { of_sets };
+        let of_sets = cycles_of_set::<R>(&for_axis.program);
         Self {
-            drill: drill.collect(),
+            drill: wanted.drill.iter().filter_map(turn).collect(),
             switches: signals.iter().copied().filter(is_switch).map(|input| (input, others(usual[input]))).collect(),
             scales: [Noise::scale::<R>(quiet), Noise::scale::<R>(loud), leaf(R::ZERO)],
             part: Noise::part::<R>(),
@@ -122,7 +110,7 @@ impl Exercise {
             not_a_number: leaf(R::lit(f64::NAN)),
             beyond: leaf(sample_limit::<R>() + sample_limit::<R>()),
             huge: [leaf(huge), leaf(-huge)],
-            wait,
+            wait: if program.typed { wanted.start } else { of_sets },
             start: wanted.start + of_sets,
             outputs: for_axis.outputs.clone(),
             state: kept(&for_axis.program, state_paths),
@@ -162,6 +150,23 @@ fn exercised<R: Real, B: Block<R>>(coeffs: &B::Coeffs) -> Vec<Literal> {
     let mut inputs = B::inputs(coeffs);
     B::exercise(&mut inputs, coeffs);
     leaves(&inputs)
+}
+
+/// A real of a drill in the real type of the block.
+fn in_real<R: Real>(value: Literal) -> Literal {
+    match value {
+        Literal::F64(value) => leaf(R::lit(value)),
+        other => other,
+    }
+}
+
+/// The number of cycles until the block uses its parameter set; 0 for a block without sets.
+fn cycles_of_set<R: Real>(program: &Program) -> usize {
+    let is_number = |input: &&Variable| input.ty == Type::Real && program.in_set(input).is_some();
+    let numbers = program.inputs.iter().filter(is_number).count();
+    // Each number is checked in pieces, one in a cycle, before and after all are copied.
+    let pieces = last_piece::<R>() as usize + 1;
+    if numbers > 0 { 2 * (numbers * pieces + 2) } else { 0 }
 }
 
 /// The positions of the parts of a program's state among all leaves of the reference's.

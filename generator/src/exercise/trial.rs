@@ -1,7 +1,7 @@
 //! A run of a block that a user can repeat on the controller. No NaN and no infinity, because some runtimes stop on them. It
 //! uses only operations that every controller executes with the same bits.
 
-use super::inputs::{Exercise, Turn};
+use super::inputs::{Calls, Exercise, Turn};
 use super::noise::Noise;
 use portable::Literal;
 use std::sync::Arc;
@@ -58,6 +58,13 @@ impl Plan {
         let at = self.next + after;
         self.turns.push(Turn::new(at..at + 1, input, value));
     }
+
+    /// Adds the irregular calls and their resets.
+    fn add_irregular(&mut self, calls: Calls) {
+        IRREGULAR.iter().for_each(|(after, more)| self.ahead(*after, calls.counter, Literal::U32(*more)));
+        RESETS.iter().for_each(|after| self.ahead(*after, calls.reset, Literal::Bool(true)));
+        self.next += RESETS[1] + TURN_DISTANCE;
+    }
 }
 
 impl Trial {
@@ -86,9 +93,7 @@ impl Trial {
             plan.turns.iter_mut().rev().take(1).for_each(|turn| turn.is_off = true);
         }
         if let Some(calls) = exercise.calls {
-            IRREGULAR.iter().for_each(|(after, more)| plan.ahead(*after, calls.counter, Literal::U32(*more)));
-            RESETS.iter().for_each(|after| plan.ahead(*after, calls.reset, Literal::Bool(true)));
-            plan.next += RESETS[1] + TURN_DISTANCE;
+            plan.add_irregular(calls);
         }
         for value in [exercise.beyond, exercise.huge[0], exercise.huge[1]] {
             reals.iter().for_each(|real| plan.add(real.position, value, 1, JUMP_DISTANCE));

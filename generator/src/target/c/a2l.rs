@@ -1,7 +1,7 @@
 //! The description of a block in C for calibration tools: a fragment of ASAP2 1.6 without addresses. Where signals lie is in
 //! the symbols and offsets; a tool takes the addresses from the linked program.
 
-use super::header::layout;
+use super::header::{layout, one_of};
 use super::names;
 use crate::target::outline::{Member, Outline};
 use crate::target::values::{Values, of_signals};
@@ -111,47 +111,48 @@ fn table(prefix: &str, Values { signals, group, .. }: Values) -> Table {
 
 fn objects(outline: &Outline<'_>, prefix: &str, tables: &[Table]) -> Vec<Object> {
     let program = &*outline.block.program;
-    let is_own = |input: &&Variable| program.in_set(input).is_none();
-    let is_in_set = |input: &&Variable| program.in_set(input).is_some();
+    let (set, inputs): (Vec<_>, Vec<_>) = program.inputs.iter().partition(|input| program.in_set(input).is_some());
     let is_not_made = |output: &&Variable| program.in_made(output).is_none();
-    let inputs: Vec<&Variable> = program.inputs.iter().filter(is_own).collect();
-    let outputs: Vec<&Variable> = program.outputs.iter().filter(is_not_made).collect();
-    let set: Vec<&Variable> = program.inputs.iter().filter(is_in_set).collect();
+    let outputs = program.outputs.iter().filter(is_not_made).collect();
     // The memory of a design is of no interest: it acts in no cycle.
-    let state: Vec<&Variable> = program.state.iter().filter(|_| program.made.is_none()).collect();
+    let state = program.state.iter().filter(|_| program.made.is_none()).collect();
     let groups = [
         (inputs, outline.inputs(), "in"),
         (outputs, outline.outputs([names::set(outline.axis), String::new()]), "out"),
         (state, outline.parts_of_state(), "mem"),
         (set, outline.set(), "designed"),
     ];
-    let of_group = |(variables, members, end): (Vec<&Variable>, Vec<Member>, &str)| -> Vec<Object> {
-        let symbol = format!("{prefix}_{end}");
-        let offsets = layout(variables.iter().map(|of| super::header::one_of(of.ty, program.real))).0;
-        let object = |((variable, member), offset): ((&Variable, Member), usize)| {
-            let is_in_set = end == "designed";
-            let table = tables.iter().find(|of| !is_in_set && end != "mem" && of.signals.contains(&member.name));
-            let conversion = match (table, unit(&member.doc)) {
-                (Some(table), _) => format!("{prefix}.{}", table.name),
-                (None, Some(unit)) => format!("{prefix}.{}", identifier(&unit)),
-                (None, None) => "NO_COMPU_METHOD".to_owned(),
-            };
-            Object {
-                name: format!("{symbol}.{}", member.name),
-                ty: type_name(variable.ty, program.real),
-                conversion,
-                range: table
-                    .map_or_else(|| range(outline, variable, end), Table::range)
-                    .map(|value| format!("{value:?}")),
-                place: (symbol.clone(), offset),
-                is_characteristic: is_in_set || is_tuned(program, variable, end),
-                is_read_only: is_in_set,
-                doc: text(&member.doc),
-            }
-        };
-        variables.into_iter().zip(members).zip(offsets).map(object).collect()
-    };
+    let of_group = |(variables, members, end)| objects_in(outline, [prefix, end], tables, variables, members);
     groups.into_iter().flat_map(of_group).collect()
+}
+
+/// The objects in a variable of the firmware.
+fn objects_in(
+    outline: &Outline<'_>,
+    [prefix, end]: [&str; 2],
+    tables: &[Table],
+    variables: Vec<&Variable>,
+    members: Vec<Member>,
+) -> Vec<Object> {
+    let program = &*outline.block.program;
+    let (symbol, is_in_set) = (format!("{prefix}_{end}"), end == "designed");
+    let offsets = layout(variables.iter().map(|of| one_of(of.ty, program.real))).0;
+    let object = |((variable, member), offset): ((&Variable, Member), usize)| {
+        let table = tables.iter().find(|of| !is_in_set && end != "mem" && of.signals.contains(&member.name));
+        let named = table.map(|of| of.name.clone()).or_else(|| unit(&member.doc).as_deref().map(identifier));
+        let range = table.map_or_else(|| range(outline, variable, end), Table::range);
+        Object {
+            name: format!("{symbol}.{}", member.name),
+            ty: type_name(variable.ty, program.real),
+            conversion: named.map_or_else(|| "NO_COMPU_METHOD".to_owned(), |name| format!("{prefix}.{name}")),
+            range: range.map(|value| format!("{value:?}")),
+            place: (symbol.clone(), offset),
+            is_characteristic: is_in_set || is_tuned(program, variable, end),
+            is_read_only: is_in_set,
+            doc: text(&member.doc),
+        }
+    };
+    variables.into_iter().zip(members).zip(offsets).map(object).collect()
 }
 
 /// Whether the caller tunes the block by an input: a fraction, or one of a design, with the one that starts it.

@@ -2,12 +2,12 @@
 //! and state.
 
 use crate::exercise::Noise;
-use crate::target::TargetBlock;
 use crate::target::outline::COMMENT_WIDTH;
+use crate::target::{TargetBlock, bits};
 use askama::Template;
 use compiler::legalise::RealInput;
 use compiler::print::{Printer, c::LANGUAGE, signals};
-use compiler::program::{Type, Variable};
+use compiler::program::{Program, Type, Variable};
 use portable::RealKind;
 
 /// The functions of the noise and of the digest, and their calls.
@@ -58,35 +58,47 @@ pub(super) fn of<'p>(
         true => format!("({real}){owner}_integer({random}) * {part}"),
         false => format!("{owner}_noise({random}, scale)"),
     };
-    let folded = |of: &str, variables: &[Variable], names: &[String]| -> Vec<String> {
-        let fold = |(variable, member): (&Variable, &String)| {
-            let cast = match variable.ty {
-                Type::Real if program.is_single(variable) => "_real(digest, (double)",
-                Type::Real => "_real(digest, ",
-                Type::I32 => "(digest, (uint32_t)",
-                Type::Bool | Type::U32 => "(digest, ",
-            };
-            [owner, "_fold", cast, of, ".", member, ")"].concat()
-        };
-        variables.iter().zip(names).map(fold).collect()
-    };
     let names = printer.names();
     let [_, outputs] = signals(program, &LANGUAGE);
+    let outputs = folded(owner, program, "outputs", &program.outputs, &outputs);
+    let state = folded(owner, program, "state", &program.state, &names.state);
     let name = |position| block.input(&names.inputs, position);
     let [quiet, loud, _] = exercise.scales.map(LANGUAGE.literal);
     CExercise {
         draws: false,
         real,
-        bits: if program.real == RealKind::F64 { 64 } else { 32 },
-        suffix: if program.real == RealKind::F64 { "" } else { "f" },
+        bits: bits(program.real),
+        suffix: suffix(program.real),
         scales: [quiet, loud],
         reals: exercise.reals.iter().map(|real| (name(real.position), noise(real))).collect(),
         is_scaled: exercise.reals.iter().any(|real| !real.is_fraction),
         usual: block.usual(&names.inputs, LANGUAGE.literal),
         counter: exercise.counter().map(name),
-        folded: [folded("outputs", &program.outputs, &outputs), folded("state", &program.state, &names.state)].concat(),
+        folded: [outputs, state].concat(),
         expected: in_lines(expected),
         owner: owner.to_owned(),
+    }
+}
+
+/// The calls that add the variables of a struct to the digest.
+fn folded(owner: &str, program: &Program, of: &str, variables: &[Variable], names: &[String]) -> Vec<String> {
+    let fold = |(variable, member): (&Variable, &String)| {
+        let cast = match variable.ty {
+            Type::Real if program.is_single(variable) => "_real(digest, (double)",
+            Type::Real => "_real(digest, ",
+            Type::I32 => "(digest, (uint32_t)",
+            Type::Bool | Type::U32 => "(digest, ",
+        };
+        [owner, "_fold", cast, of, ".", member, ")"].concat()
+    };
+    variables.iter().zip(names).map(fold).collect()
+}
+
+/// The suffix of numbers of a real type.
+pub(super) fn suffix(real: RealKind) -> &'static str {
+    match real {
+        RealKind::F64 => "",
+        RealKind::F32 => "f",
     }
 }
 

@@ -3,9 +3,9 @@
 
 use crate::target::outline::{COMMENT_WIDTH, Group, Outline};
 use crate::target::values::{group, of_signals};
-use crate::target::{BlockIdentity, TargetBlock, unit};
+use crate::target::{BlockIdentity, TargetBlock, bits, unit};
 use compiler::print::{c::LANGUAGE, comment};
-use compiler::program::{Origin, Type, Variable};
+use compiler::program::{Origin, Program, Type, Variable};
 use portable::RealKind;
 use std::collections::BTreeSet;
 
@@ -19,40 +19,20 @@ pub(super) struct Macro {
 
 /// The figures of a block, the digests of its parameters and of its structure, and the sizes of its structs.
 pub(super) fn macros(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<Macro> {
-    let bits = if axis.real == RealKind::F64 { 64 } else { 32 };
     let one = |name: &str, value: String, doc: &str| Macro { doc: doc.to_owned(), name: name.to_owned(), value };
     let mut macros = vec![
         one("CYCLE_TIME_NS", format!("{}u", axis.cycle_time_ns), "cycle time that the block was designed for [ns]"),
-        one("REAL_BITS", bits.to_string(), "size of the real type [bit]"),
+        one("REAL_BITS", bits(axis.real).to_string(), "size of the real type [bit]"),
     ];
     for figure in &block.block.certificate.figures {
         macros.push(one(figure.name, (LANGUAGE.literal)(figure.value), &unit::of_axis(&figure.doc, axis.is_rotary)));
     }
-    macros.extend(words(
-        "PARAMETERS",
-        &axis.parameters_digest,
-        "digest of the parameters, as in the head of this file",
-    ));
+    let doc = "digest of the parameters, as in the head of this file";
+    macros.extend(words("PARAMETERS", &axis.parameters_digest, doc));
     let doc = "digest of the structure: equal for blocks that differ only in the values of their coefficients";
     macros.extend(words("STRUCTURE", &axis.structure_digest, doc));
-    let program = &*block.program;
-    // The inputs of a block that takes sets contain a pointer, whose size depends on the processor.
-    let first = if program.has_set() { "PARAMS" } else { "INPUTS" };
-    let in_first: Vec<&Variable> =
-        program.inputs.iter().filter(|input| program.in_set(input).is_some() == program.has_set()).collect();
-    let of_made = program.outputs.iter().filter(|output| program.in_made(output).is_some());
-    let made_real = if program.is_made_single { RealKind::F32 } else { program.real };
-    let made = room(of_made.map(|output| one_of(output.ty, made_real)));
-    let own = program.outputs.iter().filter(|output| program.in_made(output).is_none());
-    let outputs = own.map(|output| one_of(output.ty, program.real)).chain((made[0] > 0).then_some(made));
-    let of_program = |variables: Vec<&Variable>| room(variables.into_iter().map(|of| one_of(of.ty, program.real)));
-    let structs = [
-        (first, of_program(in_first)),
-        ("OUTPUTS", room(outputs)),
-        ("STATE", of_program(program.state.iter().collect())),
-    ];
     let mut doc = "sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size";
-    for (name, [size, _]) in structs {
+    for (name, [size, _]) in structs(&block.program) {
         // C does not allow a struct without a member.
         macros.push(one(&format!("{name}_SIZE"), format!("{}u", size.max(1)), std::mem::take(&mut doc)));
     }
@@ -60,6 +40,20 @@ pub(super) fn macros(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<Macro
         of.doc = comment::wrapped(&[&of.doc], COMMENT_WIDTH, "\n * ");
     }
     macros
+}
+
+/// The structs without a pointer, each with its size and alignment.
+fn structs(program: &Program) -> [(&'static str, [usize; 2]); 3] {
+    // The inputs of a block that takes sets contain a pointer, whose size depends on the processor.
+    let first = if program.has_set() { "PARAMS" } else { "INPUTS" };
+    let in_first = program.inputs.iter().filter(|input| program.in_set(input).is_some() == program.has_set());
+    let of_made = program.outputs.iter().filter(|output| program.in_made(output).is_some());
+    let made_real = if program.is_made_single { RealKind::F32 } else { program.real };
+    let made = room(of_made.map(|output| one_of(output.ty, made_real)));
+    let own = program.outputs.iter().filter(|output| program.in_made(output).is_none());
+    let size = |of: &Variable| one_of(of.ty, program.real);
+    let outputs = own.map(size).chain((made[0] > 0).then_some(made));
+    [(first, room(in_first.map(size))), ("OUTPUTS", room(outputs)), ("STATE", room(program.state.iter().map(size)))]
 }
 
 /// A digest of 32 hexadecimal digits in words of 32 bits, the first digits first.

@@ -7,7 +7,7 @@ pub(super) mod names;
 pub(super) mod runner;
 
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
-use super::{BlockIdentity, File, TargetBlock, rendered};
+use super::{BlockIdentity, File, TargetBlock, bits, nearly_half, rendered};
 use crate::blocks::IPC;
 use crate::exercise::SelfTest;
 use askama::Template;
@@ -15,7 +15,7 @@ use compiler::print::{Appearance, Printer, c::LANGUAGE, comment};
 use compiler::program::{Expr, Program, Row, Statement, Type, Var};
 use exercise::CExercise;
 use header::Macro;
-use portable::{Intrinsic, Literal, RealKind};
+use portable::Intrinsic;
 
 /// The comment at a file's top, then its body.
 #[derive(Template)]
@@ -101,52 +101,61 @@ struct CBlock {
 pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> {
     let (program, self_test) = (&*block.program, &block.block.self_test);
     let prefix = names::prefix(axis, program.block);
-    let (header, source, test) = (format!("{prefix}.h"), format!("{prefix}.c"), format!("{prefix}_self_test.c"));
-    let (bits, suffix, nearly_half) = match axis.real {
-        RealKind::F64 => (64, "", Literal::F64(portable::nearly_half())),
-        RealKind::F32 => (32, "f", Literal::F32(portable::nearly_half())),
-    };
-    let real = LANGUAGE.ty(Type::Real, axis.real);
+    let header = &format!("{prefix}.h");
     let printer = &Printer::new(program, &LANGUAGE, &prefix);
     let outline = &Outline { axis, block, language: &LANGUAGE, printer, next_line: "\n * " };
-    let text = &listed(outline, &prefix);
-    let shared = block.block.shares_set().then(|| names::set(axis));
-    let header_body = CHeader {
-        guard: format!("{}_H", prefix.to_ascii_uppercase()),
-        names: prefix.to_ascii_uppercase(),
-        real,
-        bits,
-        macros: header::macros(axis, block),
-        enumerations: header::enumerations(outline),
-        block: text,
+    let block_text = &listed(outline, &prefix);
+    let test_body = CSelfTest {
+        header,
+        block: block_text,
         self_test,
+        exercise: exercise::of(block, printer, (&prefix, "&random"), &self_test.expected),
+    };
+    vec![
+        file(outline, header, header_body(outline, block_text)),
+        file(outline, &format!("{prefix}.c"), source_body(outline, block_text, header)),
+        file(outline, &format!("{prefix}_self_test.c"), test_body),
+    ]
+}
+
+fn file(outline: &Outline<'_>, file: &str, body: impl Template) -> File {
+    let (axis, block) = (outline.axis, outline.block.program.block);
+    let real = LANGUAGE.ty(Type::Real, axis.real);
+    rendered(file, "", &CFile { file, axis, block, real, body })
+}
+
+fn header_body<'t>(outline: &Outline<'t>, block: &'t CBlock) -> CHeader<'t> {
+    let axis = outline.axis;
+    let names = block.prefix.to_ascii_uppercase();
+    let shared = outline.block.block.shares_set().then(|| names::set(axis));
+    CHeader {
+        guard: format!("{names}_H"),
+        names,
+        real: LANGUAGE.ty(Type::Real, axis.real),
+        bits: bits(axis.real),
+        macros: header::macros(axis, outline.block),
+        enumerations: header::enumerations(outline),
+        block,
+        self_test: &outline.block.block.self_test,
         header_of_set: shared.as_ref().map(|_| format!("{}.h", names::prefix(axis, IPC))),
         shared_set: shared,
-    };
-    let source_body = CSource {
-        header: &header,
+    }
+}
+
+fn source_body<'t>(outline: &Outline<'_>, block: &'t CBlock, header: &'t str) -> CSource<'t> {
+    let (program, real) = (&*outline.block.program, outline.axis.real);
+    CSource {
+        header,
         uses_magnitude: program.has(&|part| {
             matches!(part, Expr::Intrinsic(Intrinsic::InRange | Intrinsic::Within, _)) && !part.is_about_zero()
         }),
         uses_is_zero: program.has(&Expr::is_about_zero),
         uses_nearest: program.asks_for(&[Intrinsic::Nearest]),
-        real,
-        suffix,
-        nearly_half: (LANGUAGE.literal)(nearly_half),
-        block: text,
-    };
-    let test_body = CSelfTest {
-        header: &header,
-        block: text,
-        self_test,
-        exercise: exercise::of(block, printer, (&prefix, "&random"), &self_test.expected),
-    };
-    let block = program.block;
-    vec![
-        rendered(&header, "", &CFile { file: &header, axis, block, real, body: header_body }),
-        rendered(&source, "", &CFile { file: &source, axis, block, real, body: source_body }),
-        rendered(&test, "", &CFile { file: &test, axis, block, real, body: test_body }),
-    ]
+        real: LANGUAGE.ty(Type::Real, real),
+        suffix: exercise::suffix(real),
+        nearly_half: (LANGUAGE.literal)(nearly_half(real)),
+        block,
+    }
 }
 
 /// The statements of `init`. Arrays of one length get a loop: the elements of each start with the same value.

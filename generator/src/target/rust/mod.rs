@@ -4,7 +4,7 @@ pub(super) mod library;
 mod public;
 
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
-use super::{BlockIdentity, File, TargetBlock, block_name, rendered};
+use super::{BlockIdentity, File, TargetBlock, bits, block_name, nearly_half, rendered};
 use crate::blocks::IPC;
 use crate::exercise::{Exercise, Noise, SelfTest};
 use askama::Template;
@@ -25,12 +25,12 @@ pub(super) fn called(axis: &str, block: &str, _: bool) -> [String; 2] {
 #[derive(Template)]
 #[template(path = "rust/file.rs")]
 struct RustFile<'a> {
-    file: &'a str,
+    /// the name of the module
+    module: &'a str,
     axis: &'a BlockIdentity,
     block: &'static str,
     real: &'a str,
-    bits: usize,
-    inputs: Vec<Member>,
+    inputs: &'a [Member],
     /// the parameter set, if it takes one
     set: Vec<Member>,
     /// its type, if another block declares it
@@ -46,8 +46,6 @@ struct RustFile<'a> {
     /// the rare part, as a separate function; empty if `step` is one function
     any_cycle: String,
     step: String,
-    /// the name of the module
-    module: &'a str,
     /// what it is for, and what its first call does
     purpose: String,
     /// when its caller calls it
@@ -56,6 +54,16 @@ struct RustFile<'a> {
     certificate: String,
     uses_nearest: bool,
     nearly_half: String,
+    self_test: RustSelfTest<'a>,
+}
+
+/// The function `self_test`.
+#[derive(Template)]
+#[template(path = "rust/self_test.rs")]
+struct RustSelfTest<'a> {
+    real: &'a str,
+    bits: usize,
+    inputs: &'a [Member],
     exercise: &'a Exercise,
     self_test: &'a SelfTest,
     /// the inputs that are set once
@@ -69,17 +77,19 @@ struct RustFile<'a> {
     watched: Vec<[String; 2]>,
 }
 
-impl RustFile<'_> {
+impl RustSelfTest<'_> {
     /// Whether an input gets noise that is scaled.
     fn is_scaled(&self) -> bool {
         self.exercise.reals.iter().any(|real| !real.is_fraction)
     }
+}
 
+impl RustFile<'_> {
     /// Each struct with the source of its start values, and its members.
     fn starts(&self) -> Vec<(&str, &str, &[Member])> {
         let set = ("Params", "The set that the block was generated with.", self.set.as_slice());
         let always: [(_, _, &[Member]); 3] = [
-            ("Inputs", "Every input with the value that it has until the caller writes it.", &self.inputs),
+            ("Inputs", "Every input with the value that it has until the caller writes it.", self.inputs),
             ("Outputs", "The outputs before the first cycle.", &self.outputs),
             ("State", "The state before the first cycle.", &self.state),
         ];
@@ -89,74 +99,41 @@ impl RustFile<'_> {
 
 /// The module of a block.
 pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> {
-    let (program, exercise) = (&*block.program, &*block.block.exercise);
+    let program = &*block.program;
     let printer = &Printer::new(program, &LANGUAGE, "");
-    let outline = Outline { axis, block, language: &LANGUAGE, printer, next_line: "\n// " };
-    let names = printer.names();
-    let file = format!("{}.rs", block_name(&axis.name, program.block));
-    let (bits, nearly_half) = match axis.real {
-        RealKind::F64 => (64, Literal::F64(portable::nearly_half())),
-        RealKind::F32 => (32, Literal::F32(portable::nearly_half())),
-    };
+    let outline = &Outline { axis, block, language: &LANGUAGE, printer, next_line: "\n// " };
+    let module = &block_name(&axis.name, program.block);
     let set = outline.set();
-    let parts = outline.parts_of_state().into_iter().zip(starts(program, &names.constants));
-    let parts = parts.map(|(member, value)| Member { value, ..member }).collect();
-    let state = outline.state(parts, |of, length| Member {
-        ty: format!("[{}; {length}]", of.ty).into(),
-        value: format!("[{}; {length}]", of.value),
-        ..of
-    });
+    let inputs = &inputs(outline, !set.is_empty());
     let [constants] = outline.groups([Appearance::Declared]);
     let figures = public::figures(axis, block);
     let public = figures.iter().map(|figure| figure.name.clone()).collect();
     let is_constant = |name: &str| constants.iter().any(|group| group.constants.iter().any(|of| of.name == name));
     let of_ipc = |item: &str| format!("super::{}::{item}", block_name(&axis.name, IPC));
     let template = RustFile {
-        file: &file,
+        module,
         axis,
         block: program.block,
         real: LANGUAGE.ty(Type::Real, axis.real),
-        bits,
-        inputs: inputs(&outline, !set.is_empty()),
+        inputs,
         shared_set: (block.block.shares_set() && !set.is_empty()).then(|| of_ipc("Params")),
         set,
         outputs: outline.outputs(["Params", "Params::new()"].map(of_ipc)),
-        state,
+        state: state(outline),
         figures: figures.into_iter().filter(|figure| !is_constant(&figure.name)).collect(),
         public,
-        enums: public::enums(&outline),
+        enums: public::enums(outline),
         constants,
         any_cycle: printer.body(program.apart(), 1),
         step: printer.body(&program.step, 1),
-        module: file.trim_end_matches(".rs"),
         rate: block.rate(),
         purpose: comment::wrapped(&[&block.block.purpose], COMMENT_WIDTH, "\n//! "),
         certificate: comment::wrapped(&block.block.certificate.lines, COMMENT_WIDTH, "\n//! "),
         uses_nearest: program.asks_for(&[Intrinsic::Nearest]),
-        nearly_half: (LANGUAGE.literal)(nearly_half),
-        exercise,
-        self_test: &block.block.self_test,
-        usual: block.usual(&names.inputs, LANGUAGE.literal),
-        counter: exercise.counter().map(|at| block.input(&names.inputs, at)),
-        scales: exercise.scales.map(LANGUAGE.literal),
-        part: (LANGUAGE.literal)(exercise.part),
-        watched: [
-            watched(program, "outputs", &program.outputs, &signals(program, &LANGUAGE)[1]),
-            watched(program, "state", &program.state, &names.state),
-        ]
-        .concat(),
+        nearly_half: (LANGUAGE.literal)(nearly_half(axis.real)),
+        self_test: self_test(outline, inputs),
     };
-    vec![rendered(&file, "", &template)]
-}
-
-/// The words of all variables of a struct for the digest.
-fn watched(program: &Program, of: &str, variables: &[Variable], names: &[String]) -> Vec<[String; 2]> {
-    let words = |(variable, name): (&Variable, &String)| {
-        let value = format!("{of}.{name}");
-        let value = if program.is_single(variable) { format!("f64::from({value})") } else { value };
-        words(&value, variable.ty, program.real)
-    };
-    variables.iter().zip(names).map(words).collect()
+    vec![rendered(&format!("{module}.rs"), "", &template)]
 }
 
 /// The members of the inputs, the parameter set after the signals.
@@ -168,6 +145,47 @@ fn inputs(outline: &Outline<'_>, has_set: bool) -> Vec<Member> {
         value: "Params::new()".to_owned(),
     });
     outline.inputs().into_iter().chain(set).collect()
+}
+
+/// The members of the state, with their start values.
+fn state(outline: &Outline<'_>) -> Vec<Member> {
+    let starts = starts(&outline.block.program, &outline.printer.names().constants);
+    let parts = outline.parts_of_state().into_iter().zip(starts);
+    let parts = parts.map(|(member, value)| Member { value, ..member }).collect();
+    outline.state(parts, |of, length| Member {
+        ty: format!("[{}; {length}]", of.ty).into(),
+        value: format!("[{}; {length}]", of.value),
+        ..of
+    })
+}
+
+fn self_test<'t>(outline: &Outline<'t>, inputs: &'t [Member]) -> RustSelfTest<'t> {
+    let (block, names) = (outline.block, outline.printer.names());
+    let (program, exercise) = (&*block.program, &*block.block.exercise);
+    let outputs = watched(program, "outputs", &program.outputs, &signals(program, &LANGUAGE)[1]);
+    let state = watched(program, "state", &program.state, &names.state);
+    RustSelfTest {
+        real: LANGUAGE.ty(Type::Real, outline.axis.real),
+        bits: bits(outline.axis.real),
+        inputs,
+        exercise,
+        self_test: &block.block.self_test,
+        usual: block.usual(&names.inputs, LANGUAGE.literal),
+        counter: exercise.counter().map(|at| block.input(&names.inputs, at)),
+        scales: exercise.scales.map(LANGUAGE.literal),
+        part: (LANGUAGE.literal)(exercise.part),
+        watched: [outputs, state].concat(),
+    }
+}
+
+/// The words of all variables of a struct for the digest.
+fn watched(program: &Program, of: &str, variables: &[Variable], names: &[String]) -> Vec<[String; 2]> {
+    let words = |(variable, name): (&Variable, &String)| {
+        let value = format!("{of}.{name}");
+        let value = if program.is_single(variable) { format!("f64::from({value})") } else { value };
+        words(&value, variable.ty, program.real)
+    };
+    variables.iter().zip(names).map(words).collect()
 }
 
 /// The words of a value for the digest; the second one may be empty.

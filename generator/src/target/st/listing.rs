@@ -104,7 +104,7 @@ impl Listing {
     }
 }
 
-/// The type of the parameter sets that another block of an axis makes for its block `ipc`.
+/// The type of the parameter sets of an axis, as in a declaration.
 pub(super) fn made(axis: &BlockIdentity, dialect: &Dialect) -> String {
     format!("{0}{1}{0}", dialect.quote, set_name(&axis.name))
 }

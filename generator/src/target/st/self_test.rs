@@ -2,7 +2,7 @@
 //! the reference.
 
 use super::dialect::Dialect;
-use super::listing::{self, Listing, SET, set_name};
+use super::listing::{self, Listing, SET};
 use crate::exercise::{Answer, Noise, Trial, Turn};
 use crate::target::outline::Member;
 use crate::target::{BlockIdentity, TargetBlock};
@@ -77,69 +77,64 @@ struct Switch<'a> {
 
 /// The self-test as a function block.
 pub(super) fn listing(axis: &BlockIdentity, block: &TargetBlock<'_>, dialect: &Dialect) -> Listing {
-    let (program, language) = (&block.program, dialect.language);
-    let trial = &block.block.trial;
-    let [inputs, outputs] = &signals(program, language);
-    let tested = listing::name(&axis.name, program.block, dialect);
-    let body = body(block, dialect, trial, [inputs, outputs]);
-    let variable = |ty: Type, name: String, doc: &str| member(language.ty(ty, axis.real).into(), name, doc);
-    let is_signal = |(input, _): &(&Variable, &String)| program.in_set(input).is_none();
-    let of_inputs = program.inputs.iter().zip(inputs).filter(is_signal);
-    let of_outputs = program.outputs.iter().zip(outputs).filter(|(output, _)| program.in_made(output).is_none());
-    let mut state = vec![
-        member(format!("{0}{tested}{0}", dialect.quote).into(), "block".to_owned(), "the block under test"),
-        variable(Type::I32, "sample".to_owned(), "number of the sample"),
-        variable(Type::I32, "random".to_owned(), "state of the pseudo-random generator"),
-    ];
-    if axis.real == RealKind::F32 {
-        state.push(variable(Type::Real, "product".to_owned(), "factor * factor, rounded by this controller"));
-    }
-    if trial.has_parts() {
-        state.push(variable(Type::Real, "part".to_owned(), "factor of noise in the range 0 to 1"));
-    }
-    state.extend(REALS.map(|(name, doc)| variable(Type::Real, name.to_owned(), doc)));
-    state.extend(
-        of_inputs.map(|(input, name)| variable(input.ty, format!("in_{name}"), "input of the block under test")),
-    );
-    state.extend(
-        of_outputs.map(|(output, name)| variable(output.ty, format!("expected_{name}"), "output of the reference")),
-    );
-    if let Some(made) = program.made {
-        let (ty, name) = (listing::made(axis, dialect), format!("expected_{made}"));
-        state.push(member(ty.into(), name, "parameter set of the reference"));
-    }
-    if program.has_set() {
-        let name = set_name(&axis.name);
-        state.push(member(format!("{0}{name}{0}", dialect.quote).into(), SET.to_owned(), "the parameter set"));
-    }
+    let signals = &signals(&block.program, dialect.language);
+    let tested = listing::name(&axis.name, block.program.block, dialect);
+    let [boolean, integer] = [Type::Bool, Type::I32].map(|ty| dialect.language.ty(ty, axis.real));
+    let differing = "number of values so far that differ from the reference: 0 in a correct build";
     Listing {
         name: name(&tested),
         quote: dialect.quote,
         set: None,
         inputs: Vec::new(),
-        outputs: vec![
-            variable(Type::Bool, "done".to_owned(), "all samples have run"),
-            variable(
-                Type::I32,
-                "differing".to_owned(),
-                "number of values so far that differ from the reference: 0 in a correct build",
-            ),
-        ],
-        state,
+        outputs: vec![member(boolean, "done", "all samples have run"), member(integer, "differing", differing)],
+        state: state(axis, block, dialect, &tested, signals),
         locals: Vec::new(),
         inline: Vec::new(),
         declared: Vec::new(),
         assigned: Vec::new(),
-        body,
+        body: body(block, dialect, signals),
     }
 }
 
-fn member(ty: Cow<'static, str>, name: String, doc: &str) -> Member {
-    Member { ty, name, doc: doc.to_owned(), value: String::new() }
+fn state(
+    axis: &BlockIdentity,
+    block: &TargetBlock<'_>,
+    dialect: &Dialect,
+    tested: &str,
+    [inputs, outputs]: &[Vec<String>; 2],
+) -> Vec<Member> {
+    let program = &*block.program;
+    let ty = |ty: Type| dialect.language.ty(ty, axis.real);
+    let is_signal = |(input, _): &(&Variable, &String)| program.in_set(input).is_none();
+    let of_inputs = program.inputs.iter().zip(inputs).filter(is_signal);
+    let of_outputs = program.outputs.iter().zip(outputs).filter(|(output, _)| program.in_made(output).is_none());
+    let mut state = vec![
+        member(format!("{0}{tested}{0}", dialect.quote), "block", "the block under test"),
+        member(ty(Type::I32), "sample", "number of the sample"),
+        member(ty(Type::I32), "random", "state of the pseudo-random generator"),
+    ];
+    let product = ("product", "factor * factor, rounded by this controller");
+    let part = ("part", "factor of noise in the range 0 to 1");
+    let reals = (axis.real == RealKind::F32).then_some(product).into_iter();
+    let reals = reals.chain(block.block.trial.has_parts().then_some(part)).chain(REALS);
+    state.extend(reals.map(|(name, doc)| member(ty(Type::Real), name, doc)));
+    let given = "input of the block under test";
+    state.extend(of_inputs.map(|(input, name)| member(ty(input.ty), format!("in_{name}"), given)));
+    let expected = "output of the reference";
+    state.extend(of_outputs.map(|(output, name)| member(ty(output.ty), format!("expected_{name}"), expected)));
+    let set = || listing::made(axis, dialect);
+    let made = |made| member(set(), format!("expected_{made}"), "parameter set of the reference");
+    state.extend(program.made.map(made));
+    state.extend(program.has_set().then(|| member(set(), SET, "the parameter set")));
+    state
 }
 
-fn body(block: &TargetBlock<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: [&[String]; 2]) -> String {
-    let (program, literal) = (&block.program, dialect.language.literal);
+fn member(ty: impl Into<Cow<'static, str>>, name: impl Into<String>, doc: &str) -> Member {
+    Member { ty: ty.into(), name: name.into(), doc: doc.to_owned(), value: String::new() }
+}
+
+fn body(block: &TargetBlock<'_>, dialect: &Dialect, [inputs, outputs]: &[Vec<String>; 2]) -> String {
+    let (program, trial, literal) = (&block.program, &block.block.trial, dialect.language.literal);
     let is_single = program.real == RealKind::F32;
     let real = |value: f64| if is_single { Literal::F32(f32::lit(value)) } else { Literal::F64(value) };
     let name_of = |position: usize| {
