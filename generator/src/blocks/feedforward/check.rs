@@ -19,22 +19,14 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
     refuse_jerk(e, has(FeedforwardWord::AddJerk))?;
     let mut ways = possible_ways(e, &words, drive);
     without_delay(e, &words)?;
-    let default_active = e.word::<Boolean>(key(Name::DefaultActive)).map(|word| word == Boolean::True);
-    let global_disable = e.word::<Boolean>(key(Name::GlobalDisable)).map(|word| word == Boolean::True);
+    let [default_active, global_disable] = [Name::DefaultActive, Name::GlobalDisable]
+        .map(|name| e.word::<Boolean>(key(name)).map(|word| word == Boolean::True));
     let [weight, acceleration, jerk] = weights(e, &mut ways);
-    let Ways { conventional, additive, mut torque } = ways;
-    let mut delay = |is_used: bool, name, code| match is_used {
-        true => corrected::delay(e, name, cycle_time, code),
-        false => Some(0),
-    };
-    let velocity_delay = delay(additive.any(), Name::VelocityDelayTime, (codes::VELOCITY_DELAY, 70349));
-    let acceleration_delay = delay(torque.acceleration, Name::AccelerationDelayTime, (codes::TORQUE_DELAY, 70348));
-    let jerk_delay = delay(torque.jerk, Name::JerkDelayTime, (codes::TORQUE_DELAY, 70348));
+    let Ways { conventional, additive, torque } = ways;
+    let [velocity_delay, acceleration_delay, jerk_delay] = delays(e, cycle_time, ways);
     let velocity = drive.velocity(e, additive.any())?.present();
     let torque_scale = if torque.any() { torque_of(e, drive)?.present() } else { None };
-    if torque_scale.is_none() {
-        torque = Quantities::default();
-    }
+    let torque = if torque_scale.is_some() { torque } else { Quantities::default() };
     Some(Presence::Present(Feedforward {
         conventional,
         additive,
@@ -141,6 +133,17 @@ fn weight_of_jerk(e: &mut Effective<'_>, ways: &mut Ways) -> Option<Ratio> {
         }
     }
     weight
+}
+
+/// Delays of the additive velocity, of the torque of the acceleration and of that of the jerk; 0 for an unused output.
+fn delays(e: &mut Effective<'_>, cycle_time: Option<u32>, Ways { additive, torque, .. }: Ways) -> [Option<u32>; 3] {
+    let of_torque = (codes::TORQUE_DELAY, 70348);
+    let delays = [
+        (additive.any(), Name::VelocityDelayTime, (codes::VELOCITY_DELAY, 70349)),
+        (torque.acceleration, Name::AccelerationDelayTime, of_torque),
+        (torque.jerk, Name::JerkDelayTime, of_torque),
+    ];
+    delays.map(|(is_used, name, code)| if is_used { corrected::delay(e, name, cycle_time, code) } else { Some(0) })
 }
 
 /// Each quantity goes one way, conventional or as additive velocity or torque: an additive output takes it away from the

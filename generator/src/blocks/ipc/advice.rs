@@ -51,54 +51,57 @@ pub(crate) fn advise(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
 }
 
 fn whole(axis: &Axis, e: &mut Effective<'_>) {
-    let active = axis.ipc.stage.iter().flatten().count();
+    let (ipc, is_active) = (&axis.ipc, axis.ipc.is_active());
     let slave = master(e).is_some();
-    if active > 0 || axis.control.position_control.is_some() {
+    if is_active || axis.control.position_control.is_some() {
         unit_of_vb_max(axis, e);
     }
-    if active > 0 && !slave && axis.ipc.enable == Enable::On && axis.ipc.v_add_max_fact >= Ipc::WHOLE {
-        let key = key(Name::Enable);
-        let found = format!(
-            "the block starts ON (P-AXIS-00758), and v_add may reach {} {}: {} % of vb_max (P-AXIS-00757)",
-            axis.ipc.limit(),
-            axis.control.velocity_unit(),
-            f64::from(axis.ipc.v_add_max_fact) / 10.0
-        );
-        let dry_run = as_written(&e.place_of(key), key, &[Enable::DryRun.name()]);
-        let instead = format!("{dry_run} for the first look, then ON with a small v_add_max_fact");
-        e.warn(codes::STARTS_ON, key, found, Some(instead));
+    if is_active && !slave && ipc.enable == Enable::On && ipc.v_add_max_fact >= Ipc::WHOLE {
+        starts_on(axis, e);
     }
-    if slave && active > 0 && axis.ipc.enable == Enable::Off {
-        let found =
-            "the axis is a gantry slave with active stages: its input `mode` must stay OFF (error 70600)".to_owned();
+    if slave && is_active && ipc.enable == Enable::Off {
+        let found = "the axis is a gantry slave with active stages: its input `mode` must stay OFF (error 70600)";
         let instead = Some("the stages in the list of the master".to_owned());
         e.warn(codes::SLAVE_STAGES, key(Name::GantryMaster), found, instead);
     }
-    let does_nothing = axis.asks_for_nothing_else();
-    if active == 0 && !slave && (does_nothing || axis.ipc.enable != Enable::Off) {
-        let found = match does_nothing {
-            true => "no stage is active: the block puts out 0".to_owned(),
-            false => format!(
-                "improved position control is {}, and no stage is active: it adds nothing",
-                axis.ipc.enable.name()
-            ),
-        };
-        let is_about_it = |name: Name| name.parameter().path.contains("improved_position_control");
-        let place = e.place_near(key(Name::Enable), is_about_it);
-        let [direct, indirect, set_point] =
-            [StageMode::Direct, StageMode::Indirect, StageMode::SetPoint].map(Words::name);
-        let path = path_with(Name::Mode.parameter().path, [0, 0]);
-        let instead = format!("{path} with {direct}, {indirect} or {set_point}");
-        e.report.push(Diagnostic::warning(codes::NO_STAGE, place, found).instead(instead));
+    if !is_active && !slave && (axis.asks_for_nothing_else() || ipc.enable != Enable::Off) {
+        no_stage(axis, e);
     }
-    if active > 0 && axis.ipc.v_add_max_fact == 0 {
+    if is_active && ipc.v_add_max_fact == 0 {
         let how = if e.given(key(Name::VAddMaxFact)).is_some() { "is" } else { "has the default" };
-        let found = format!(
-            "`{}` (P-AXIS-00757) {how} 0: the limit is 0, the block puts out 0",
-            Name::VAddMaxFact.parameter().path
-        );
+        let path = Name::VAddMaxFact.parameter().path;
+        let found = format!("`{path}` (P-AXIS-00757) {how} 0: the limit is 0, the block puts out 0");
         e.warn(codes::MUTED, key(Name::VAddMaxFact), found, Some("a limit above 0, in 0.1 % of vb_max".to_owned()));
     }
+}
+
+/// Warns of a block that starts ON with the whole of vb_max.
+fn starts_on(axis: &Axis, e: &mut Effective<'_>) {
+    let key = key(Name::Enable);
+    let found = format!(
+        "the block starts ON (P-AXIS-00758), and v_add may reach {} {}: {} % of vb_max (P-AXIS-00757)",
+        axis.ipc.limit(),
+        axis.control.velocity_unit(),
+        f64::from(axis.ipc.v_add_max_fact) / 10.0
+    );
+    let dry_run = as_written(&e.place_of(key), key, &[Enable::DryRun.name()]);
+    let instead = format!("{dry_run} for the first look, then ON with a small v_add_max_fact");
+    e.warn(codes::STARTS_ON, key, found, Some(instead));
+}
+
+/// Warns that the block adds nothing.
+fn no_stage(axis: &Axis, e: &mut Effective<'_>) {
+    let enable = axis.ipc.enable.name();
+    let found = match axis.asks_for_nothing_else() {
+        true => "no stage is active: the block puts out 0".to_owned(),
+        false => format!("improved position control is {enable}, and no stage is active: it adds nothing"),
+    };
+    let is_about_it = |name: Name| name.parameter().path.contains("improved_position_control");
+    let place = e.place_near(key(Name::Enable), is_about_it);
+    let [direct, indirect, set_point] = [StageMode::Direct, StageMode::Indirect, StageMode::SetPoint].map(Words::name);
+    let path = path_with(Name::Mode.parameter().path, [0, 0]);
+    let instead = format!("{path} with {direct}, {indirect} or {set_point}");
+    e.report.push(Diagnostic::warning(codes::NO_STAGE, place, found).instead(instead));
 }
 
 /// Warns of a largest velocity that is probably in another unit.

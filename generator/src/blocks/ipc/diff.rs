@@ -3,7 +3,7 @@
 
 use super::super::effects::is_same;
 use super::{details, filter, row::WithDrive, stage::StageDesign};
-use crate::axis::Tuning;
+use crate::axis::{Ipc, Tuning};
 use crate::blocks::designed::Designed;
 use crate::design::{band::warped, response};
 use crate::number::{decibels, decimals, down_to, pair, significant};
@@ -14,49 +14,49 @@ use stability::MAX_MS;
 /// The differences: one line each for limit, start, fade and bad samples, then a line for each stage,
 /// and one for each stage that bears other weights.
 pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
-    let both = |value: &dyn Fn(&Designed) -> f64| [value(old), value(new)];
-    let mut lines = Vec::new();
-    let limits = both(&|of| of.axis.ipc.limit());
-    if !is_same(limits[0], limits[1]) {
-        let parts = both(&part);
-        let parts = if is_same(parts[0], parts[1]) { significant(parts[0], 7) } else { pair(parts[0], parts[1], 4) };
-        lines.push(format!("limit {} ({parts} % of v_max)", pair(limits[0], limits[1], 7)));
-    }
-    let starts = [old, new].map(|of| of.axis.ipc.enable);
-    if starts[0] != starts[1] {
-        lines.push(format!("starts {} -> {}", starts[0].name(), starts[1].name()));
-    }
-    let fades = both(&fade);
-    if !is_same(fades[0], fades[1]) {
-        lines.push(format!("fade {} s", pair(fades[0], fades[1], 4)));
-    }
-    let rides = [old, new].map(|of| of.axis.ipc.ride_through);
-    if rides[0] != rides[1] {
-        lines.push(format!("rides through {} -> {} bad samples in a row", rides[0], rides[1]));
-    }
-    let tunes = [old, new].map(|of| of.axis.ipc.tuning());
-    if tunes[0] != tunes[1] {
-        let [old, new] = tunes.map(|of| of.map_or_else(|| "nothing".to_owned(), started));
-        lines.push(format!("the caller tunes {old} -> {new}"));
-    }
-    let watches = [old, new].map(|of| of.axis.ipc.watch);
-    if watches[0] != watches[1] {
-        lines.push(format!("{} its loop", if watches[1] { "watches" } else { "no longer watches" }));
-    }
-    for (index, (old, new)) in old.stage.iter().zip(&new.stage).enumerate() {
-        let line = of_stages(old.as_ref(), new.as_ref());
-        lines.extend(line.map(|line| format!("stage[{index}]: {line}")));
-    }
-    for (index, (old, new)) in details::margins(old).zip(details::margins(new)).enumerate() {
-        let line = old.zip(new).and_then(|(old, new)| of_margins(&old, &new));
-        lines.extend(line.map(|line| format!("stage[{index}]: {line}")));
-    }
-    let takes = [old, new].map(|of| of.axis.ipc.takes_sets());
-    if takes[0] != takes[1] {
+    let ipc = [old, new].map(|of| &of.axis.ipc);
+    let of_block = [
+        limit([old, new]),
+        changed(ipc.map(|of| of.enable), |[old, new]| format!("starts {} -> {}", old.name(), new.name())),
+        fades([old, new]),
+        changed(ipc.map(|of| of.ride_through), |[old, new]| {
+            format!("rides through {old} -> {new} bad samples in a row")
+        }),
+        changed(ipc.map(Ipc::tuning), |tuning| {
+            let [old, new] = tuning.map(|of| of.map_or_else(|| "nothing".to_owned(), started));
+            format!("the caller tunes {old} -> {new}")
+        }),
+        changed(ipc.map(|of| of.watch), |[_, is_new]| {
+            format!("{} its loop", if is_new { "watches" } else { "no longer watches" })
+        }),
+    ];
+    let mut lines: Vec<_> = of_block.into_iter().flatten().collect();
+    let stages = old.stage.iter().zip(&new.stage).map(|(old, new)| of_stages(old.as_ref(), new.as_ref()));
+    let margins = details::margins(old).zip(details::margins(new)).map(|(old, new)| of_margins(&old?, &new?));
+    let of_stage = stages.enumerate().chain(margins.enumerate());
+    lines.extend(of_stage.filter_map(|(index, line)| Some(format!("stage[{index}]: {}", line?))));
+    lines.extend(changed(ipc.map(Ipc::takes_sets), |takes| {
         let [old, new] = takes.map(|takes| if takes { "taken over" } else { "none" });
-        lines.push(format!("parameter sets {old} -> {new}"));
-    }
+        format!("parameter sets {old} -> {new}")
+    }));
     lines
+}
+
+/// A line about the old and the new value of something; `None` if they are equal.
+fn changed<T: PartialEq>([old, new]: [T; 2], line: impl FnOnce([T; 2]) -> String) -> Option<String> {
+    (old != new).then(|| line([old, new]))
+}
+
+fn limit(both: [&Designed; 2]) -> Option<String> {
+    let [old, new] = both.map(|of| of.axis.ipc.limit());
+    let parts = both.map(part);
+    let parts = if is_same(parts[0], parts[1]) { significant(parts[0], 7) } else { pair(parts[0], parts[1], 4) };
+    (!is_same(old, new)).then(|| format!("limit {} ({parts} % of v_max)", pair(old, new, 7)))
+}
+
+fn fades(both: [&Designed; 2]) -> Option<String> {
+    let [old, new] = both.map(fade);
+    (!is_same(old, new)).then(|| format!("fade {} s", pair(old, new, 4)))
 }
 
 /// The values of an axis that has no older version.
@@ -129,11 +129,8 @@ fn of_stage(of: &StageDesign) -> String {
 }
 
 fn between(old: &StageDesign, new: &StageDesign) -> Option<String> {
-    let mut parts = Vec::new();
-    let [source_old, source_new] = [old, new].map(|of| of.stage.mode.text());
-    if source_old != source_new {
-        parts.push(format!("{source_old} -> {source_new}"));
-    }
+    let source = changed([old, new].map(|of| of.stage.mode.text()), |both| both.join(" -> "));
+    let mut parts = Vec::from_iter(source);
     let [weight_old, weight_new] = [old, new].map(|of| of.stage.weight());
     // A capped weight is marked: the blocks may be equal although the parameters differ.
     let [cap_old, cap_new] = [old, new].map(|of| of.stage.cap());

@@ -1,7 +1,7 @@
 //! The rules of position control, and the condition for an axis to get it.
 
 use super::gain;
-use crate::axis::{Enable, Feedforward, Ipc, Location, PositionControl, Ratio, Resolution, Width};
+use crate::axis::{Enable, Feedforward, Ipc, Location, PositionControl, Quantities, Ratio, Resolution, Width};
 use crate::diagnostics::{Diagnostic, Severity};
 use crate::parameters::{Name, Value};
 use crate::rules::drive::{self, Drive, ratio};
@@ -26,43 +26,22 @@ pub(crate) fn check(
         no_way_out(e, ipc.is_some_and(|ipc| ipc.enable != Enable::Off));
     }
     let kv_key = (Name::Kv, [drive.gear, 0]);
-    let asked = e.given(kv_key).is_some() || feedforward.is_some() || is_slave || in_drive && is_active;
-    if !asked {
+    if e.given(kv_key).is_none() && feedforward.is_none() && !is_slave && !(in_drive && is_active) {
         return Some(Presence::Absent);
     }
     drive::note(e, &[Name::DriveType, Name::OperationMode]);
-    let adds = (is_active || is_slave) && in_drive;
-    let additive = feedforward.is_some_and(|feedforward| feedforward.additive.any());
-    let velocity = drive.velocity(e, additive || adds)?.present();
-    let leads = feedforward.is_some_and(|feedforward| feedforward.conventional.any());
+    let [leads, additive, torque] =
+        feedforward.map_or([false; 3], |of| [of.conventional, of.additive, of.torque].map(Quantities::any));
+    let velocity = drive.velocity(e, additive || in_drive && (is_active || is_slave))?.present();
     let kv = if drive.location == Location::Cnc || leads { e.integer(kv_key) } else { Some(0) };
     if let (Location::Cnc, Some(kv), Some(cycle_ns)) = (drive.location, kv, cycle_time) {
         gain::check(e, cycle_ns, kv_key, kv);
     }
-    let gear = drive.gear;
-    let (multi_gain, command) = if drive.location == Location::Cnc {
-        let multi_gain = ratio(e, (Name::MultiGainZ, [gear, 0]), (Name::MultiGainN, [gear, 0]));
-        let command = e.word(key(Name::VelocityCommandData));
-        (multi_gain?, command?)
-    } else {
-        (Ratio::ZERO, Width::Int32)
-    };
-    let is_profidrive = drive.location == Location::Profidrive;
-    let resolution = if is_profidrive { Some(drive::resolution(e, gear)?) } else { None };
-    // With a feed constant the path resolution is a multiple of the increments per revolution.
-    if let Some(Resolution { feed_const, .. }) = resolution.filter(|of| of.incr_per_rev == 0 && of.has_feed_const()) {
-        let why = format!(
-            "with the feed constant {}/{} (P-AXIS-00362/00363) the control deviation XERR is always 0",
-            feed_const.num, feed_const.denom
-        );
-        drive.no_increments(e, &why);
-        return None;
-    }
-    // A feedforward that is switched off has no lead: the position must not be delayed for it. A torque leads as a velocity
-    // does.
-    let torque = feedforward.is_some_and(|feedforward| feedforward.torque.any());
-    let shift_time =
-        if is_profidrive && (leads || additive || torque) { e.integer(key(Name::ShiftTime)) } else { Some(0) };
+    let (multi_gain, command) = velocity_command(e, drive)?;
+    let resolution = resolution(e, drive)?.present();
+    // A feedforward that is switched off does not lead: the position must not be delayed for it. A torque leads too.
+    let is_led = drive.location == Location::Profidrive && (leads || additive || torque);
+    let shift_time = if is_led { e.integer(key(Name::ShiftTime)) } else { Some(0) };
     Some(Presence::Present(PositionControl {
         location: drive.location,
         kv: kv?,
@@ -72,6 +51,32 @@ pub(crate) fn check(
         resolution,
         shift_time: shift_time?,
     }))
+}
+
+/// Scaling and process data of the velocity command of the CNC; `None` after a reported error.
+fn velocity_command(e: &mut Effective<'_>, drive: &Drive) -> Option<(Ratio, Width)> {
+    if drive.location != Location::Cnc {
+        return Some((Ratio::ZERO, Width::Int32));
+    }
+    let multi_gain = ratio(e, (Name::MultiGainZ, [drive.gear, 0]), (Name::MultiGainN, [drive.gear, 0]));
+    let command = e.word(key(Name::VelocityCommandData));
+    Some((multi_gain?, command?))
+}
+
+/// Path resolution of PROFIdrive; `None` after a reported error.
+fn resolution(e: &mut Effective<'_>, drive: &Drive) -> Option<Presence<Resolution>> {
+    if drive.location != Location::Profidrive {
+        return Some(Presence::Absent);
+    }
+    let resolution = drive::resolution(e, drive.gear)?;
+    // With a feed constant the path resolution is a multiple of the increments per revolution.
+    if resolution.incr_per_rev == 0 && resolution.has_feed_const() {
+        let Ratio { num, denom } = resolution.feed_const;
+        let feed_const = format!("the feed constant {num}/{denom} (P-AXIS-00362/00363)");
+        drive.no_increments(e, &format!("with {feed_const} the control deviation XERR is always 0"));
+        return None;
+    }
+    Some(Presence::Present(resolution))
 }
 
 /// Improved position control for which the drive's process data have no room: an error if it is enabled.

@@ -65,42 +65,26 @@ pub(crate) fn check(
     [is_slave, has_stages]: [bool; 2],
 ) -> Option<Spindle> {
     drive::note(e, &[Name::DriveType, Name::OperationMode]);
-    let is_in_drive = drive.location != Location::Cnc;
     let velocities = velocities::check(e, drive.gear);
-    let is_alone = is_in_drive && velocities.as_ref().is_some_and(|of| of.on.value == 0 && of.off.value == 0);
+    let are_zero = velocities.is_some_and(|of| of.on.value == 0 && of.off.value == 0);
+    let is_alone = drive.location != Location::Cnc && are_zero;
     refuse(e, is_slave, is_alone && has_stages);
-    let kv = if is_alone { Some(0) } else { e.integer((Name::Kv, [drive.gear, 0])) };
+    let kv_key = (Name::Kv, [drive.gear, 0]);
+    let kv = if is_alone { Some(0) } else { e.integer(kv_key) };
     let deceleration = e.real(key(Name::SpindleDeceleration));
     let changing = velocities.as_ref().filter(|_| !is_alone);
     let window = window::settled(e, cycle_time, drive.gear, changing);
     let takeover_window = e.real(key(Name::SpindleTakeoverWindow));
-    let (changeover, delay_cycles) = if is_in_drive {
-        (in_drive::check(e, drive.location, feedforward, is_alone), in_drive::delay_cycles(e, is_alone))
-    } else {
-        (Some(Changeover::Cnc), Some(0))
-    };
-    let counted = if is_alone { None } else { counted(e, feedforward) };
+    let (changeover, delay_cycles) = changeover(e, drive.location, feedforward, is_alone);
+    let counted = counted(e, feedforward.filter(|_| !is_alone));
     if let (Some(changeover), Some(of), Some(kv), Some(window)) = (&changeover, changing, kv, window) {
-        let gain = lag::Gain { key: (Name::Kv, [drive.gear, 0]), kv };
-        lags(e, changeover, counted, of, window, gain);
-        if let (Changeover::Cnc, Some(ns)) = (changeover, cycle_time) {
-            lag::seen(e, of, ns);
-        }
+        lags(e, (changeover, cycle_time), counted, of, window, lag::Gain { key: kv_key, kv });
     }
-    if let (true, Some(ns), Some(velocities), Some(window)) = (is_in_drive, cycle_time, &velocities, window) {
-        limits::half_a_revolution(e, ns, velocities, window);
-    }
-    let mode_timeout_ns = limits::mode_timeout(e, cycle_time, delay_cycles);
-    if let (true, Some(ns), Some(of), Some(a), Some(timeout)) =
-        (is_in_drive, cycle_time, changing, deceleration, mode_timeout_ns)
-    {
-        limits::accelerates_beyond(e, ns, of, a, timeout);
-    }
-    let brake_timeout_ns = limits::brake_timeout(e, cycle_time, velocities.as_ref(), deceleration);
-    let velocities = velocities?;
+    let [mode_timeout_ns, brake_timeout_ns] =
+        limits::check(e, (drive.location, cycle_time), (velocities, is_alone), [window, deceleration], delay_cycles);
     Some(Spindle {
-        v_velocity_control_on: velocities.on.value,
-        v_position_control_on: velocities.off.value,
+        v_velocity_control_on: velocities?.on.value,
+        v_position_control_on: velocities?.off.value,
         drive: changeover?,
         feedforward: counted.map(|of| of.weight),
         default_active: counted.is_some_and(|of| of.default_active),
@@ -114,35 +98,40 @@ pub(crate) fn check(
     })
 }
 
-/// Refuses the changeover of a gantry slave, and active stages of a drive with velocity control alone.
+/// Refuses the changeover of a gantry slave, and active stages of a drive with velocity control alone, which never act.
 fn refuse(e: &mut Effective<'_>, is_slave: bool, has_useless_stages: bool) {
     if is_slave {
-        without_gantry(e);
+        let found =
+            "a gantry slave (P-AXIS-00070) follows its master's position, and cannot change to velocity control";
+        let said = Diagnostic::error(codes::GANTRY_SPINDLE, e.place_of(key(Name::GantryMaster)), found);
+        e.report.push(said.instead("no gantry, or no P-AXIS-00767 and P-AXIS-00768"));
     }
     if has_useless_stages {
-        without_stages(e);
+        let found = "improved position control has stages, and the drive has velocity control alone: Von and Voff are \
+                     0 (P-AXIS-00767, 00768)";
+        let said = Diagnostic::error(codes::ONLY_VELOCITY, e.place_of(key(Name::VVelocityControlOn)), found);
+        e.report
+            .push(said.instead("Von and Voff of a drive with position control, or the mode NOT_ACTIVE of each stage"));
     }
 }
 
-/// Refuses the changeover of a gantry slave.
-fn without_gantry(e: &mut Effective<'_>) {
-    let found = "a gantry slave (P-AXIS-00070) follows its master's position, and cannot change to velocity control";
-    let said = Diagnostic::error(codes::GANTRY_SPINDLE, e.place_of(key(Name::GantryMaster)), found);
-    e.report.push(said.instead("no gantry, or no P-AXIS-00767 and P-AXIS-00768"));
-}
-
-/// Refuses stages: with velocity control alone they would never act.
-fn without_stages(e: &mut Effective<'_>) {
-    let found = "improved position control has stages, and the drive has velocity control alone: Von and Voff are 0 \
-                 (P-AXIS-00767, 00768)";
-    let said = Diagnostic::error(codes::ONLY_VELOCITY, e.place_of(key(Name::VVelocityControlOn)), found);
-    e.report.push(said.instead("Von and Voff of a drive with position control, or the mode NOT_ACTIVE of each stage"));
+/// The changeover, and the cycles between a command and its actual value; each is `None` after a reported error.
+fn changeover(
+    e: &mut Effective<'_>,
+    location: Location,
+    feedforward: Option<&Feedforward>,
+    is_alone: bool,
+) -> (Option<Changeover>, Option<u32>) {
+    if location == Location::Cnc {
+        return (Some(Changeover::Cnc), Some(0));
+    }
+    (in_drive::check(e, location, feedforward, is_alone), in_drive::delay_cycles(e, is_alone))
 }
 
 /// The position lag, of the loop in the CNC or where the drive takes up position control.
 fn lags(
     e: &mut Effective<'_>,
-    changeover: &Changeover,
+    (changeover, cycle_time): (&Changeover, Option<u32>),
     feedforward: Option<&Feedforward>,
     of: &Velocities,
     least_window: f64,
@@ -152,6 +141,9 @@ fn lags(
         Changeover::Cnc => {
             let weight = feedforward.map_or(0.0, |of| of.weight.value());
             lag::in_cnc(e, of, gain, (weight, feedforward.is_none_or(|of| of.default_active)));
+            if let Some(ns) = cycle_time {
+                lag::seen(e, of, ns);
+            }
         }
         Changeover::Drive { feed_forward_v_weighting, .. } => {
             let part = (1.0 - f64::from(*feed_forward_v_weighting) / 1000.0).abs();

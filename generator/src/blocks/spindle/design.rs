@@ -34,7 +34,7 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
     let window = window(of.v_position_control_on, of.window);
     let lag = if of.only_velocity() { 0.0 } else { (1.0 - weight(of)) / kv(of) };
     let mode_cycles = cycles(of.mode_timeout_ns, axis);
-    let coeffs = Coeffs {
+    Coeffs {
         cycle_time_ns: axis.cycle_time_ns,
         cycle_time,
         v_velocity_control_on: f64::from(of.v_velocity_control_on),
@@ -56,10 +56,14 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
         default_active: of.default_active,
         lead_time_per_percent: of.feedforward.map_or(0.0, |weight| weight.value() / 100.0 / kv(of)),
         call_rate: call_rate::Coeffs { active: axis.counts_calls },
-        ..Coeffs::default()
-    };
+        ..in_drive(of, axis)
+    }
+}
+
+/// The coefficients of a changeover in the drive, its modes and its velocity command; all zero in the CNC.
+fn in_drive(of: &Spindle, axis: &Axis) -> Coeffs<f64> {
     match &of.drive {
-        Changeover::Cnc => coeffs,
+        Changeover::Cnc => Coeffs::default(),
         Changeover::Drive { position_mode, velocity_mode, velocity, .. } => Coeffs {
             in_drive: true,
             only_velocity: of.only_velocity(),
@@ -67,7 +71,7 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
             velocity_mode: *velocity_mode,
             velocity_scale: scale::velocity(velocity, axis.cycle_time_ns),
             velocity_range: scale::range(velocity.width, axis.real),
-            ..coeffs
+            ..Coeffs::default()
         },
     }
 }

@@ -1,10 +1,12 @@
 //! Limits from the cycle time and the deceleration: half a revolution per cycle, and the times of the changeover.
 
 use super::velocities::{Velocities, asks};
+use crate::axis::Location;
 use crate::config::values::{Key, key};
+use crate::diagnostics::{Diagnostic, Place};
 use crate::parameters::{Name, time_text};
 use crate::rules::effective::Effective;
-use crate::{codes, diagnostics::Diagnostic, number::rounded};
+use crate::{codes, number::rounded};
 use portable::Extreme;
 
 /// Half a revolution [0.001 deg]: a drive cannot detect the direction of a longer movement.
@@ -26,6 +28,28 @@ pub(super) fn window(off: u32, least: f64) -> f64 {
     (f64::from(off) / 100.0).larger(least)
 }
 
+/// The times within which the drive displays a new mode and the spindle has braked [ns]. Checks them, and the
+/// velocities of a drive that controls the position; `is_alone` marks a drive with velocity control alone.
+pub(super) fn check(
+    e: &mut Effective<'_>,
+    (location, cycle_time): (Location, Option<u32>),
+    (velocities, is_alone): (Option<Velocities>, bool),
+    [window, deceleration]: [Option<f64>; 2],
+    delay_cycles: Option<u32>,
+) -> [Option<u64>; 2] {
+    let all = velocities.as_ref();
+    let in_drive = cycle_time.filter(|_| location != Location::Cnc);
+    if let (Some(ns), Some(of), Some(window)) = (in_drive, all, window) {
+        half_a_revolution(e, ns, of, window);
+    }
+    let mode = mode_timeout(e, cycle_time, delay_cycles);
+    let changing = all.filter(|_| !is_alone);
+    if let (Some(ns), Some(of), Some(a), Some(timeout)) = (in_drive, changing, deceleration, mode) {
+        accelerates_beyond(e, ns, of, a, timeout);
+    }
+    [mode, brake_timeout(e, cycle_time, all, deceleration)]
+}
+
 /// A spindle without a changeover whose drive controls the position: checks its largest velocity, if given.
 pub(crate) fn half_a_revolution_at_most(e: &mut Effective<'_>, cycle_ns: u32, largest: Key) {
     let Some(velocity) = e.given(largest).and_then(|_| e.validated_integer(largest)) else { return };
@@ -38,28 +62,27 @@ pub(crate) fn half_a_revolution_at_most(e: &mut Effective<'_>, cycle_ns: u32, la
         rpm(f64::from(velocity)),
         e.title(largest)
     );
-    let said = Diagnostic::error(codes::HALF_A_REVOLUTION, e.place_of(largest), found)
-        .allowed(below_half_a_revolution(cycle_ns));
-    e.report.push(said.instead("a lower vb_max, a shorter cycle, or v_velocity_control_on: 200 rpm are 1200000"));
+    let instead = "a lower vb_max, a shorter cycle, or v_velocity_control_on: 200 rpm are 1200000";
+    beyond(e, e.place_of(largest), cycle_ns, found, instead);
 }
 
-/// The velocities that [`codes::HALF_A_REVOLUTION`] allows.
-fn below_half_a_revolution(cycle_ns: u32) -> String {
+/// Rejects a velocity of half a revolution in a cycle, or more.
+fn beyond(e: &mut Effective<'_>, place: Place, cycle_ns: u32, found: String, instead: &str) {
     let end = HALF_A_REVOLUTION * 1e9 / f64::from(cycle_ns);
-    format!(
+    let allowed = format!(
         "less than half a revolution in a cycle: below {} rpm, {} [0.001 deg/s], at a cycle time of {}",
         rpm(end),
         rounded(end),
         time_text(u64::from(cycle_ns))
-    )
+    );
+    e.report.push(Diagnostic::error(codes::HALF_A_REVOLUTION, place, found).allowed(allowed).instead(instead));
 }
 
 /// A drive that controls the position must turn by less than half a revolution per cycle.
-pub(super) fn half_a_revolution(e: &mut Effective<'_>, cycle_ns: u32, of: &Velocities, least_window: f64) {
+fn half_a_revolution(e: &mut Effective<'_>, cycle_ns: u32, of: &Velocities, least_window: f64) {
     let cycle = f64::from(cycle_ns);
     // In nanoseconds, where 15000 rpm and 2 ms make exactly half a revolution.
     let is_beyond = |velocity: f64| velocity * cycle >= HALF_A_REVOLUTION * 1e9;
-    let allowed = below_half_a_revolution(cycle_ns);
     let window = window(of.off.value, least_window);
     let taken_up = f64::from(of.off.value) + window;
     if is_beyond(taken_up) {
@@ -71,10 +94,8 @@ pub(super) fn half_a_revolution(e: &mut Effective<'_>, cycle_ns: u32, of: &Veloc
             rpm(taken_up)
         );
         let at = if e.given(of.off.key).is_some() { of.off.key } else { key(Name::SpindleWindow) };
-        let said = Diagnostic::error(codes::HALF_A_REVOLUTION, e.place_near(at, asks), found);
-        e.report.push(
-            said.allowed(allowed.clone()).instead("a lower v_position_control_on or spindle.window: 50 rpm are 300000"),
-        );
+        let instead = "a lower v_position_control_on or spindle.window: 50 rpm are 300000";
+        beyond(e, e.place_near(at, asks), cycle_ns, found, instead);
     }
     let (lower, higher) = if of.on.value <= of.largest.value { (of.on, of.largest) } else { (of.largest, of.on) };
     if is_beyond(f64::from(lower.value)) {
@@ -87,15 +108,15 @@ pub(super) fn half_a_revolution(e: &mut Effective<'_>, cycle_ns: u32, of: &Veloc
             higher.value
         );
         let at = if e.given(lower.key).is_some() { lower.key } else { higher.key };
-        let said = Diagnostic::error(codes::HALF_A_REVOLUTION, e.place_near(at, asks), found);
-        e.report.push(said.allowed(allowed).instead("a lower v_velocity_control_on: 200 rpm are 1200000"));
+        let instead = "a lower v_velocity_control_on: 200 rpm are 1200000";
+        beyond(e, e.place_near(at, asks), cycle_ns, found, instead);
     }
 }
 
 /// Warns of a velocity of the changeover near half a revolution per cycle: until the drive displays velocity control, it is
 /// under position control, and the spindle accelerates. Von is passed by up to a cycle's velocity, and the last permitted cycle
 /// begins when the time is over.
-pub(super) fn accelerates_beyond(e: &mut Effective<'_>, cycle_ns: u32, of: &Velocities, deceleration: f64, ns: u64) {
+fn accelerates_beyond(e: &mut Effective<'_>, cycle_ns: u32, of: &Velocities, deceleration: f64, ns: u64) {
     let end = HALF_A_REVOLUTION * 1e9 / f64::from(cycle_ns);
     let on = f64::from(of.on.value);
     let gained = deceleration * (ns + 2 * u64::from(cycle_ns)) as f64 / 1e9;
@@ -115,18 +136,16 @@ pub(super) fn accelerates_beyond(e: &mut Effective<'_>, cycle_ns: u32, of: &Velo
         rpm(end)
     );
     let lower = (end - gained).ceil() - 1.0;
-    let lower = if lower >= f64::from(of.off.value) && lower > 0.0 {
-        format!("v_velocity_control_on {lower} or less, ")
-    } else {
-        String::new()
-    };
+    let is_possible = lower >= f64::from(of.off.value) && lower > 0.0;
+    let lower = is_possible.then(|| format!("v_velocity_control_on {lower} or less, "));
     let said = Diagnostic::warning(codes::ACCELERATES_BEYOND, e.place_near(at, asks), found);
-    e.report.push(said.instead(lower + "a shorter cycle, or the time that the drive needs at spindle.mode_timeout"));
+    let instead = "a shorter cycle, or the time that the drive needs at spindle.mode_timeout";
+    e.report.push(said.instead(lower.unwrap_or_default() + instead));
 }
 
 /// The time within which the drive displays the new mode [ns]: at least until its answer can arrive, and by default 10 cycles
 /// more.
-pub(super) fn mode_timeout(e: &mut Effective<'_>, cycle_time: Option<u32>, answer_cycles: Option<u32>) -> Option<u64> {
+fn mode_timeout(e: &mut Effective<'_>, cycle_time: Option<u32>, answer_cycles: Option<u32>) -> Option<u64> {
     let timeout_key = key(Name::SpindleModeTimeout);
     let mut timeout = e.duration(timeout_key)?;
     let Some(cycle) = cycle_time.map(u64::from) else { return Some(timeout) };
@@ -151,7 +170,7 @@ pub(super) fn mode_timeout(e: &mut Effective<'_>, cycle_time: Option<u32>, answe
 }
 
 /// The time within which the spindle has braked [ns]: at least its ramp; by default twice the ramp plus half a second.
-pub(super) fn brake_timeout(
+fn brake_timeout(
     e: &mut Effective<'_>,
     cycle_time: Option<u32>,
     of: Option<&Velocities>,

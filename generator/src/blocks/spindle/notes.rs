@@ -1,6 +1,6 @@
 //! The physical meaning of each coefficient of the changeover. No design.
 
-use super::super::feedforward::notes::{of_velocity, of_width};
+use super::super::feedforward::notes::of_velocity;
 use super::super::ipc::notes::{cycle_time, note};
 use super::design::{kv, weight};
 use super::limits::{ramp, window};
@@ -38,20 +38,23 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
         let weight = digits(weight.value());
         note("lead_time_per_percent", format!("weight of the feedforward {weight} (P-AXIS-00228/00229) / 100 / Kv"))
     }));
-    match &of.drive {
-        Changeover::Cnc => {}
-        Changeover::Drive { velocity, bus, .. } => {
-            let modes = match bus {
-                Bus::Sercos => "operation modes of the drive, as in S-0-0134 (P-AXIS-00264)",
-                Bus::CanOpen => "operation modes of the drive, as in 6060h (P-AXIS-00463, 00464)",
-            };
-            notes.push(note("position_mode", modes.to_owned()));
-            let [scale, _] = of_velocity(velocity, axis);
-            notes.push((scale.0, scale.1.replacen("additive velocity", "velocity command", 1)));
-            notes.push(note("velocity_range", of_width(velocity.width)));
-        }
-    }
+    notes.extend(of_drive(of, axis));
     notes
+}
+
+/// The notes of a changeover in the drive; none in the CNC.
+fn of_drive(of: &Spindle, axis: &Axis) -> Vec<(String, String)> {
+    let (velocity, bus) = match &of.drive {
+        Changeover::Cnc => return Vec::new(),
+        Changeover::Drive { velocity, bus, .. } => (velocity, bus),
+    };
+    let modes = match bus {
+        Bus::Sercos => "operation modes of the drive, as in S-0-0134 (P-AXIS-00264)",
+        Bus::CanOpen => "operation modes of the drive, as in 6060h (P-AXIS-00463, 00464)",
+    };
+    let [(scale, text), range] = of_velocity(velocity, axis);
+    let text = text.replacen("additive velocity", "velocity command", 1);
+    vec![note("position_mode", modes.to_owned()), (scale, text), range]
 }
 
 /// The terms of the lead of the position command.

@@ -78,42 +78,30 @@ fn deviation(sections: &[Trapezoidal], design: &StageDesign, t: f64) -> f64 {
 /// Variance of the output error of a section from its own roundings, for an input with this offset and this amplitude at t.
 fn of_section(section: &Trapezoidal, t: f64, offset: f64, vibration: f64) -> f64 {
     let Trapezoidal { a, b, c, output, is_by_change } = *section;
-    let input = Complex::from(vibration);
-    // z = (1 + j t) / (1 - j t): u = (z - 1) / (z + 1) bp = j t bp, s1 = (bp - u) / 2 before the step and (bp + u) / 2 after it.
-    let bp = input * section.band_pass_part(t);
-    let u = bp * Complex { re: 0.0, im: t };
-    let s1 = Complex { re: (bp.re - u.re) / 2.0, im: (bp.im - u.im) / 2.0 };
-    let s1_next = Complex { re: (bp.re + u.re) / 2.0, im: (bp.im + u.im) / 2.0 };
-    let p = Complex { re: (u.re + b * s1.re) / a, im: (u.im + b * s1.im) / a };
-    let change = input * (Complex { re: 0.0, im: 2.0 * t } / Complex { re: 1.0, im: t });
-    let square = |v: Complex| (v.re * v.re + v.im * v.im) / 2.0;
-    let next = Complex { re: p.re - c * bp.re, im: p.im - c * bp.im };
-    let low = Complex { re: vibration - next.re, im: -next.im };
+    let [change, p, bp, u, q, s1, s1_next, next, low] = mean_squares(section, t, vibration);
     let gain = Gain::of(section);
     let noise = match output {
         Output::Oscillation => {
             let (h, g) = (2.0 * a / c, c / 2.0);
-            let q = Complex { re: u.re / g, im: u.im / g };
-            let into_p = square(change) + square(p);
+            let into_p = change + p;
             // The errors of h p, of r s1 and of their difference enter q, which is a part of the output; that of g q enters
             // only u.
-            let into_q = h * h * square(p) + b * b / g / g * square(s1) + square(q);
+            let into_q = h * h * p + b * b / g / g * s1 + q;
             into_p * gain.oscillation([a, 1.0 - a * c], -h)
                 + into_q * gain.oscillation([g, -c * g], -1.0)
-                + (square(u) + square(s1_next)) * gain.oscillation([1.0, -c], 0.0)
-                + square(bp) * gain.oscillation([0.0, -c], 0.0)
-                + (c * c * square(bp) + square(next)) * gain.oscillation([0.0, 1.0], 0.0)
+                + (u + s1_next) * gain.oscillation([1.0, -c], 0.0)
+                + bp * gain.oscillation([0.0, -c], 0.0)
+                + (c * c * bp + next) * gain.oscillation([0.0, 1.0], 0.0)
         }
         Output::Bandpass | Output::Allpass => {
-            let (into_p, kept, last) = if is_by_change {
-                (square(change) + square(p), 1.0 - a * c, c * c * square(bp) + square(next))
-            } else {
-                (square(p), -a * c, 2.0 * c * c * square(bp) + square(low))
+            let (into_p, kept, last) = match is_by_change {
+                true => (change + p, 1.0 - a * c, c * c * bp + next),
+                false => (p, -a * c, 2.0 * c * c * bp + low),
             };
-            let into_s1 = a * a * square(p) + b * b * square(s1) + square(u) + square(s1_next);
+            let into_s1 = a * a * p + b * b * s1 + u + s1_next;
             let own = into_p * gain.bandpass([a, kept], a)
                 + into_s1 * gain.bandpass([1.0, -c], 1.0)
-                + square(bp) * gain.bandpass([0.0, -c], 1.0)
+                + bp * gain.bandpass([0.0, -c], 1.0)
                 + last * gain.bandpass([0.0, 1.0], 0.0);
             let by = output.of_bandpass();
             by * by * own
@@ -122,6 +110,21 @@ fn of_section(section: &Trapezoidal, t: f64, offset: f64, vibration: f64) -> f64
     // A sum that contains the offset of its input has a larger rounding error.
     let sum = if output.loses_the_offset() { 0.0 } else { offset * offset + vibration * vibration / 2.0 };
     UNIT * UNIT / 3.0 * (noise + sum)
+}
+
+/// Mean squares for an input of this amplitude at t: its change, p, bp, u, q = 2 u / c, s1, and the next s1, p and low.
+fn mean_squares(section: &Trapezoidal, t: f64, vibration: f64) -> [f64; 9] {
+    let Trapezoidal { a, b, c, .. } = *section;
+    let input = Complex::from(vibration);
+    let change = input * (Complex { re: 0.0, im: 2.0 * t } / Complex { re: 1.0, im: t });
+    // z = (1 + j t) / (1 - j t): u = (z - 1) / (z + 1) bp = j t bp; s1 = (bp - u) / 2, and (bp + u) / 2 after the step.
+    let bp = input * section.band_pass_part(t);
+    let u = bp * Complex { re: 0.0, im: t };
+    let [s1, s1_next] = [bp - u, bp + u].map(|twice| twice / 2.0);
+    let p = (u + s1 * b) / a;
+    let next = p - bp * c;
+    let signals = [change, p, bp, u, u / (c / 2.0), s1, s1_next, next, input - next];
+    signals.map(|v| (v.re * v.re + v.im * v.im) / 2.0)
 }
 
 /// Sums of the squares of impulse responses, in closed form.
