@@ -37,7 +37,6 @@ struct Position<'w, 't> {
 
 /// The commands of the G words.
 pub(crate) fn commands(words: &[Placed<'_>], force: &mut InForce, mistakes: &mut Mistakes) -> Vec<Command> {
-    let axes: Vec<Position<'_, '_>> = words.iter().filter_map(position).collect();
     let Some(functions) = functions(words, mistakes) else { return Vec::new() };
     for placed in words {
         match placed.word {
@@ -51,20 +50,26 @@ pub(crate) fn commands(words: &[Placed<'_>], force: &mut InForce, mistakes: &mut
         return dwell::commands(placed, words, mistakes).into_iter().collect();
     }
     force.feed(words);
-    for (_, function) in &functions {
-        match function {
-            Function::Rapid => force.rapid = Some(true),
-            Function::Linear => force.rapid = Some(false),
-            _ => {}
-        }
-    }
+    let motion = [Function::Rapid, Function::Linear].into_iter().find(|function| is(*function).is_some());
+    force.rapid = motion.map(|function| function == Function::Rapid).or(force.rapid);
     if let Some(placed) = is(Function::MachinePosition) {
         mistakes.pass(PassedKind::MachinePosition, placed.column, &placed.text.to_ascii_uppercase());
         return Vec::new();
     }
+    of_axes(&functions, words, force, mistakes)
+}
+
+/// The commands of G words that act on axes, or on the axes themselves.
+fn of_axes(
+    functions: &[(&Placed<'_>, Function)],
+    words: &[Placed<'_>],
+    force: &mut InForce,
+    mistakes: &mut Mistakes,
+) -> Vec<Command> {
+    let axes: Vec<Position<'_, '_>> = words.iter().filter_map(position).collect();
     let target = Target::Axes;
     let mut commands = Vec::new();
-    for (placed, function) in &functions {
+    for (placed, function) in functions {
         match function {
             Function::FeedforwardOn => commands.push(Command::Feedforward { target, on: true }),
             Function::FeedforwardOff => commands.push(Command::Feedforward { target, on: false }),

@@ -135,15 +135,17 @@ fn word_end(rest: &str) -> usize {
             let from = if of_number(next(blanks)) { blanks } else { letters };
             let end = run(from, of_number);
             // An exponent is part of its number, so that it is refused there.
-            let power = run(end + 1, |byte| matches!(byte, b'+' | b'-'));
-            let is_power = end > from
-                && !b"GMNTgmnt".contains(&first)
-                && matches!(next(end), b'e' | b'E')
-                && next(power).is_ascii_digit();
+            let is_power = end > from && !b"GMNTgmnt".contains(&first) && is_exponent(&bytes[end..]);
             if is_power || next(end) == b'[' { blank(rest) } else { end }
         }
         _ => blank(rest),
     }
+}
+
+/// Whether an exponent begins here.
+fn is_exponent(text: &[u8]) -> bool {
+    let digits = text.iter().skip(1).find(|byte| !matches!(byte, b'+' | b'-'));
+    matches!(text, [b'e' | b'E', ..]) && digits.is_some_and(u8::is_ascii_digit)
 }
 
 /// The first blank or comment outside of brackets, or the end of the brackets.

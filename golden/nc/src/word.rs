@@ -104,31 +104,21 @@ pub(crate) fn parse(text: &str) -> Option<Word> {
     if upper.contains('[') && name.starts_with('S') && name.bytes().skip(1).all(|byte| byte.is_ascii_digit()) {
         return bracket::read(Piece { column: 1, text: &upper }, &mut Mistakes::default()).map(Word::Bracket);
     }
-    let angle = upper.strip_prefix("S.POS=").or(upper.strip_prefix("SPOS="));
-    if let Some(angle) = angle {
-        return number::decimal(angle).map(Word::Angle);
-    }
-    // X1=50, X=50, S=1000
+    // X1=50, X=50, S=1000, S.POS=90
     if let Some((name, number)) = upper.split_once('=') {
         let number = number::decimal(number)?;
         return match name {
             "S" | "S1" => speed(number),
+            "S.POS" | "SPOS" => Some(Word::Angle(number)),
             "F" => feed(number),
             _ => Axis::named(name).map(|axis| Word::Axis(axis, number)),
         };
     }
     let number = upper.get(first.len_utf8()..)?.trim_start();
-    let plain = || {
-        let (whole, part) = number.split_once('.').map_or((number, ""), |(whole, part)| (whole, part));
-        let is_plain = whole.bytes().chain(part.bytes()).all(|byte| byte.is_ascii_digit()) && !whole.is_empty();
-        let whole = whole.trim_start_matches('0');
-        let whole = if whole.is_empty() { "0" } else { whole };
-        is_plain.then(|| if part.is_empty() { whole.to_owned() } else { format!("{whole}.{part}") })
-    };
     match first {
         'N' => number::count(number).map(Word::Number),
-        'G' => Some(g_word(&plain()?)),
-        'M' => Some(m_word(&plain()?)),
+        'G' => Some(g_word(&plain(number)?)),
+        'M' => Some(m_word(&plain(number)?)),
         // The M word gives the direction of a spindle, never a sign.
         'S' => speed(number::decimal(number)?),
         'F' => feed(number::decimal(number)?),
@@ -140,6 +130,15 @@ pub(crate) fn parse(text: &str) -> Option<Word> {
         }
         _ => Axis::named(&upper[..first.len_utf8()]).and_then(|axis| Some(Word::Axis(axis, number::decimal(number)?))),
     }
+}
+
+/// The number of a G or M word without leading zeros.
+fn plain(number: &str) -> Option<String> {
+    let (whole, part) = number.split_once('.').unwrap_or((number, ""));
+    let is_plain = whole.bytes().chain(part.bytes()).all(|byte| byte.is_ascii_digit()) && !whole.is_empty();
+    let whole = whole.trim_start_matches('0');
+    let whole = if whole.is_empty() { "0" } else { whole };
+    is_plain.then(|| if part.is_empty() { whole.to_owned() } else { format!("{whole}.{part}") })
 }
 
 fn speed(rpm: f64) -> Option<Word> {
