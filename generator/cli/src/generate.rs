@@ -17,45 +17,28 @@ use generator::diagnostics::Slashes;
 use generator::generate::PAGE;
 use generator::pipeline::Set;
 use generator::summary;
-use generator::write::{Folder, Refusal};
+use generator::target::Target;
+use generator::write::Refusal;
 use std::path::Path;
 
 /// Largest number of axes that are described one by one; of more, only the number is printed.
 const DESCRIBED_AXES: usize = 10;
 
-/// The purpose of generating the files.
-enum Purpose {
-    Compare(Show),
-    Write(Folder),
-}
-
 /// Runs the command.
 pub fn run(of: &GenerateArguments, format: Format) -> Result<Exit, Exit> {
     let GenerateArguments { set: arguments, axes, out, .. } = of;
     let (mut set, warnings) = input::read(arguments, format)?;
-    for name in axes {
-        commands::axis(&set, Some(name))?;
-    }
+    axes.iter().try_for_each(|name| commands::axis(&set, Some(name)).map(drop))?;
     if let Some(stage) = &of.emit {
         let axes = set.axes.iter().filter(|axis| axes.is_empty() || axes.contains(&axis.axis.name));
         output::print(emit::text(axes, stage)?)?;
         return Ok(Exit::Done);
     }
-    let compare = if of.diff { Some(Show::Lines) } else { of.check.then_some(Show::Names) };
-    let (purpose, recorded) = match compare {
-        Some(show) => (Purpose::Compare(show), Recorded::read(out, &arguments.set)?),
-        None => {
-            let (folder, recorded) = into_folder::open(out, &arguments.set)?;
-            (Purpose::Write(folder), recorded)
-        }
+    let (folder, recorded) = match of.check || of.diff {
+        true => (None, Recorded::read(out, &arguments.set)?),
+        false => into_folder::open(out, &arguments.set).map(|(folder, recorded)| (Some(folder), recorded))?,
     };
-    let mut targets = generate::targets(&of.targets, &set.targets, recorded.targets())?;
-    if let Some(samples) = of.runner {
-        targets = generate::with_runners(targets, samples)?;
-    }
-    if of.a2l {
-        targets = generate::with_descriptions(targets)?;
-    }
+    let targets = targets(of, &set, &recorded)?;
     // One axis that `--name` selects from a project is one of several, as with `--axis`.
     let of_project = arguments.list.name.as_ref().map(|_| config::axes_of_project(&arguments.set, &config::load));
     let others = of_project.unwrap_or_default();
@@ -66,9 +49,9 @@ pub fn run(of: &GenerateArguments, format: Format) -> Result<Exit, Exit> {
     let scope = Scope::new(&set, &selected, &of.targets, &others);
     let dropped = scope.dropped(&recorded, |name| name == PAGE || targets.iter().any(|target| target.name == name));
     let plan = plan::for_folder((&set, axes, &targets), &recorded, &dropped, out);
-    let folder = match purpose {
-        Purpose::Compare(show) => return compare_files::run(&plan, &recorded, &scope, show),
-        Purpose::Write(folder) => folder,
+    let Some(folder) = folder else {
+        let show = if of.diff { Show::Lines } else { Show::Names };
+        return compare_files::run(&plan, &recorded, &scope, show);
     };
     let done = into_folder::write(folder, &plan, &recorded, &scope, of.force)?;
     let left_out = plan::left_out(&plan, out);
@@ -78,6 +61,15 @@ pub fn run(of: &GenerateArguments, format: Format) -> Result<Exit, Exit> {
     say(&set, &done, out, warnings + report.warnings())?;
     output::print(left_out + &done.leftovers.of_other_sets(out))?;
     Ok(Exit::Done)
+}
+
+/// The targets, with the files that options add.
+fn targets(of: &GenerateArguments, set: &Set, recorded: &Recorded) -> Result<Vec<Target>, Exit> {
+    let mut targets = generate::targets(&of.targets, &set.targets, recorded.targets())?;
+    if let Some(samples) = of.runner {
+        targets = generate::with_runners(targets, samples)?;
+    }
+    Ok(if of.a2l { generate::with_descriptions(targets)? } else { targets })
 }
 
 /// The exit for a refusal: an edited file is an error of the input, everything else of the environment.

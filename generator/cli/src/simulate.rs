@@ -4,14 +4,13 @@ use crate::arguments::SimulateArguments;
 use crate::exit::Exit;
 use crate::input;
 use crate::messages::Format;
-use crate::one_file::{self, Rule};
+use crate::one_file::{self, Rule, Staged};
 use crate::output;
 use commands::words::{made, seconds};
 use generator::blocks::{self, Designed};
 use generator::codes;
 use golden::simulate::{self, Moved, picture, recording, text};
-use golden::svg;
-use std::path::PathBuf;
+use std::path::Path;
 
 /// Limits of `--dwell` [s].
 const SHORTEST: f64 = 1.0;
@@ -19,16 +18,15 @@ const LONGEST: f64 = 600.0;
 
 /// A time of `--dwell`: `2s`, `1500ms`.
 pub fn dwell(text: &str) -> Result<f64, String> {
-    let time = seconds(text, &[("ms", 1e-3), ("s", 1.0)]);
-    let allowed = || format!("a time from {SHORTEST}s to {LONGEST}s is allowed: 2s, 1500ms");
-    time.filter(|time| (SHORTEST..=LONGEST).contains(time)).ok_or_else(allowed)
+    let time = seconds(text, &[("ms", 1e-3), ("s", 1.0)]).filter(|time| (SHORTEST..=LONGEST).contains(time));
+    time.ok_or_else(|| format!("a time from {SHORTEST}s to {LONGEST}s is allowed: 2s, 1500ms"))
 }
 
 /// A speed of `--speed` [m/s]: `20mm/s`.
 pub fn speed(text: &str) -> Result<f64, String> {
     let speed = seconds(text, &[("um/s", 1e-6), ("mm/s", 1e-3), ("m/s", 1.0)]);
-    let allowed = || "a speed above 0 and up to 10m/s is allowed: 20mm/s".to_owned();
-    speed.filter(|speed| *speed > 0.0 && *speed <= 10.0).ok_or_else(allowed)
+    let speed = speed.filter(|speed| *speed > 0.0 && *speed <= 10.0);
+    speed.ok_or_else(|| "a speed above 0 and up to 10m/s is allowed: 20mm/s".to_owned())
 }
 
 /// A part of `--noise`: `0.1%`.
@@ -38,7 +36,7 @@ pub fn noise(text: &str) -> Result<f64, String> {
 }
 
 /// Runs the command.
-pub fn run<'a>(to: &'a SimulateArguments, format: Format) -> Result<Exit, Exit> {
+pub fn run(to: &SimulateArguments, format: Format) -> Result<Exit, Exit> {
     let (set, _) = input::read_to_look_at(&to.subject.set, to.drive.keys(to.subject.axis.as_deref()), format)?;
     let designed = commands::axis(&set, to.subject.axis.as_deref())?;
     let has_stages = blocks::names(&designed.axis).contains(&"ipc");
@@ -50,41 +48,50 @@ pub fn run<'a>(to: &'a SimulateArguments, format: Format) -> Result<Exit, Exit> 
         commands::block(designed, "ipc")?;
     }
     let moved = moved(designed, to)?;
-    let begins =
-        |heads: &'static [&str]| move |found: &[u8]| heads.iter().any(|head| found.starts_with(head.as_bytes()));
-    let [is_csv, is_picture, is_recording] = [&[text::HEAD][..], &[svg::HEAD], &recording::HEADS].map(begins);
-    let [of_csv, of_picture, of_recording] =
-        [&is_csv, &is_picture, &is_recording].map(|begins| Rule::earlier_output(to.force, begins));
-    let all = [
-        (&to.csv, of_csv),
-        (&to.picture, of_picture),
-        (&to.moves, of_recording),
-        (&to.excited, of_recording),
-        (&to.recorded, Rule::by_force(to.force)),
-    ];
-    one_file::allowed(all.map(|(out, rule)| (out.as_deref(), rule)), [to.subject.set.set.as_path()])?;
+    let outs = outs(to);
+    one_file::allowed(outs, [to.subject.set.set.as_path()])?;
+    let [csv, picture, moves, excited, recorded] = outs;
     let noise = to.noise.unwrap_or(0.0);
-    let mut staged = Vec::new();
-    let mut stage = |out: &'a Option<PathBuf>, rule, text: &dyn Fn() -> Result<String, Exit>| {
-        let Some(out) = out else { return Ok::<_, Exit>(()) };
-        staged.push(one_file::stage(out, text()?.as_bytes(), rule)?);
-        Ok(())
-    };
-    stage(&to.moves, of_recording, &|| Ok(recording::moves(designed, moved, to.dwell, noise)))?;
-    stage(&to.excited, of_recording, &|| excited(designed, moved, to.speed, noise))?;
-    stage(&to.recorded, Rule::by_force(to.force), &|| Ok(made(recording::of_block(designed, moved, to.dwell))))?;
+    let mut files = vec![
+        staged(moves, || Ok(recording::moves(designed, moved, to.dwell, noise)))?,
+        staged(excited, || self::excited(designed, moved, to.speed, noise))?,
+        staged(recorded, || Ok(made(recording::of_block(designed, moved, to.dwell))))?,
+    ];
     let simulation = has_stages.then(|| made(simulate::run(designed, moved, to.dwell)));
     if let Some(simulation) = &simulation {
-        stage(&to.csv, of_csv, &|| Ok(text::csv(simulation)))?;
-        stage(&to.picture, of_picture, &|| {
+        files.push(staged(csv, || Ok(text::csv(simulation)))?);
+        files.push(staged(picture, || {
             let picture = picture::of(simulation, &designed.axis.name);
             Ok(picture.map_or_else(String::new, |picture| picture.svg()))
-        })?;
+        })?);
     }
-    one_file::commit(staged)?;
+    one_file::commit(files.into_iter().flatten())?;
     let Some(simulation) = simulation else { return Ok(Exit::Done) };
     output::print(text::table(&simulation, designed))?;
     Ok(if text::is_unstable(&simulation) { Exit::Different } else { Exit::Done })
+}
+
+/// A file that a run may write.
+type Out<'a> = (Option<&'a Path>, Rule<'a>);
+
+/// The files of `--csv`, `--picture`, `--moves`, `--excited` and `--recorded`.
+fn outs(to: &SimulateArguments) -> [Out<'_>; 5] {
+    let of_csv = Rule::earlier_output(to.force, &|found: &[u8]| found.starts_with(text::HEAD.as_bytes()));
+    let of_recording = Rule::earlier_output(to.force, &|found: &[u8]| {
+        recording::HEADS.iter().any(|head| found.starts_with(head.as_bytes()))
+    });
+    [
+        (to.csv.as_deref(), of_csv),
+        (to.picture.as_deref(), Rule::earlier_picture(to.force)),
+        (to.moves.as_deref(), of_recording),
+        (to.excited.as_deref(), of_recording),
+        (to.recorded.as_deref(), Rule::by_force(to.force)),
+    ]
+}
+
+/// A file with its text, if it was asked for.
+fn staged<'a>((out, rule): Out<'a>, text: impl FnOnce() -> Result<String, Exit>) -> Result<Option<Staged<'a>>, Exit> {
+    out.map(|out| one_file::stage(out, text()?.as_bytes(), rule)).transpose()
 }
 
 /// The machine of the simulation.

@@ -14,7 +14,7 @@ use generator::codes;
 use generator::config;
 use generator::diagnostics::Slashes;
 use golden::measure::{Measured, Record, Verdict};
-use golden::tune::{self, Prefer, Proposal, Stages, signals, text};
+use golden::tune::{self, Prefer, Proposal, Stages, Tuning, signals, text};
 use std::collections::BTreeMap;
 
 /// Runs the command.
@@ -38,16 +38,8 @@ pub fn run(of: &TuneArguments, format: Format) -> Result<Exit, Exit> {
     let name = &designed.axis.name;
     let chosen = chosen(&mut tuning, of.apply.as_deref());
     let has_files = of.signals.is_some() || of.picture.is_some();
-    let with = chosen.as_ref().filter(|_| has_files).and_then(|chosen| {
-        let record = all.own.1.record.as_ref()?;
-        signals::with_stages(&tuning, record, &chosen.stages)
-    });
-    let is_missing = has_files && with.is_none();
-    if is_missing && chosen.is_some() {
-        let found = "the response of the drive is not known: no signals can be predicted";
-        let instead = "measure it: --excited FILE, --response FILE, or drive.response of the set";
-        tuning.verdicts.push(Verdict::refusal(codes::NOT_PREDICTED, found, instead));
-    }
+    let asked = chosen.as_ref().filter(|_| has_files);
+    let with = asked.and_then(|chosen| predicted(&mut tuning, &all.own.1, chosen));
     if of.json {
         output::line(json::text(&proposals(name, &tuning, &all)))?;
     } else {
@@ -56,6 +48,7 @@ pub fn run(of: &TuneArguments, format: Format) -> Result<Exit, Exit> {
         say(&mut report, format!("axis {name}"), &tuning.verdicts);
         output::say(&messages::text(&report, format));
     }
+    let is_missing = has_files && with.is_none();
     let Some(chosen) = chosen.filter(|_| !is_missing) else { return Ok(Exit::Different) };
     if let Some(with) = &with {
         draw(&all.own.1, with, &setup(name, &tuning, &chosen), of, rules)?;
@@ -64,6 +57,17 @@ pub fn run(of: &TuneArguments, format: Format) -> Result<Exit, Exit> {
         apply(arguments, format, name, &chosen, of.json)?;
     }
     Ok(Exit::Done)
+}
+
+/// The moves as they would be with a proposal; `None` after a message.
+fn predicted(tuning: &mut Tuning, moves: &Measured, of: &Proposal) -> Option<Record> {
+    let with = moves.record.as_ref().and_then(|record| signals::with_stages(tuning, record, &of.stages));
+    if with.is_none() {
+        let found = "the response of the drive is not known: no signals can be predicted";
+        let instead = "measure it: --excited FILE, --response FILE, or drive.response of the set";
+        tuning.verdicts.push(Verdict::refusal(codes::NOT_PREDICTED, found, instead));
+    }
+    with
 }
 
 /// Writes the files that were asked for, all or none.

@@ -79,14 +79,13 @@ pub fn agreement(
     found: &Samples,
     subject: &Subject<'_>,
 ) -> (Vec<String>, bool) {
-    let mut lines = Vec::new();
     let Subject { designed, block, engine, .. } = subject;
     let names: Vec<&str> = recording.outputs.shape.signals.iter().map(|signal| signal.name.as_str()).collect();
     let outputs = found.only(&recording.recorded);
     let Difference { bits, first } = compare(&outputs, &recording.outputs);
     let samples = counted(recording.outputs.len(), "sample");
     let bits = counted(bits, "differing bit");
-    lines.push(format!("{} against engine {engine}, {samples}: {bits}", names.join(", ")));
+    let mut lines = vec![format!("{} against engine {engine}, {samples}: {bits}", names.join(", "))];
     if !recording.left_out.is_empty() {
         lines.push(format!("left out, no signal of {}: {}", block.program.block, recording.left_out.join(", ")));
     }
@@ -109,21 +108,20 @@ pub fn agreement(
             lines.push(largest_error(error, name, *precision, recording, subject));
         }
     }
-    if let Some(first) = errors.iter().filter_map(|error| error.unexplained).map(|[first, _]| first).min() {
-        let last_digits = only_last_digits(&errors);
-        lines.extend(explanation(recording, inputs, (first, last_digits), subject));
-    }
+    lines.extend(explanation(recording, inputs, &errors, subject));
     (lines, agrees)
 }
 
-/// The mistake that explains the difference, or that none does.
+/// The mistake that explains the difference, or that none does; nothing if there is no unexplained difference.
 fn explanation(
     recording: &Recording,
     inputs: &Samples,
-    (first, last_digits): (usize, bool),
+    errors: &[recording::Error],
     subject: &Subject<'_>,
 ) -> Vec<String> {
     let mut lines = Vec::new();
+    let first = errors.iter().filter_map(|error| error.unexplained).map(|[first, _]| first).min();
+    let Some(first) = first else { return lines };
     let Subject { designed, block, others, .. } = subject;
     let recording = recording.clone().with_inputs(inputs);
     let (found, tried) = explain::explain(&Case { designed, block, recording, others: others.clone() }, first);
@@ -137,7 +135,7 @@ fn explanation(
         lines.push(format!("{or}: {said}{how}"));
     }
     if found.is_empty() {
-        let cause = match last_digits {
+        let cause = match only_last_digits(errors) {
             true => {
                 "only the last digits differ: other options of the compiler (fused multiply-add, fast math), or another version \
                  of the block"
