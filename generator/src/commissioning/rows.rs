@@ -25,13 +25,13 @@ pub(super) struct Row {
     /// the weight as parameters
     pub(super) num: u64,
     pub(super) denom: u64,
-    /// the part of the vibration that remains with an ideal drive [%]
+    /// the part of the vibration that remains with the drive of the page [%]
     pub(super) left: String,
-    /// largest |S| of the loop with an ideal drive, and whether it is too large
+    /// largest |S| of the loop with the drive of the page, and whether it is too large
     pub(super) ms: String,
 }
 
-/// The effect of a part of a weight with an ideal drive.
+/// The effect of a part of a weight, with the drive that the set states or an ideal one.
 pub(super) struct Step {
     /// remaining part of the vibration
     pub(super) left: f64,
@@ -49,7 +49,7 @@ pub(super) struct Limit {
     pub(super) v_add_max_fact: u32,
 }
 
-/// The steps of a weight, each with its effect with an ideal drive, `None` if the loop oscillates; such a row is left out.
+/// The steps of a weight, each with its effect, `None` if the loop oscillates; such a row is left out.
 pub(super) fn rows(stage: &Stage, steps: [Option<Step>; PARTS.len()]) -> Vec<Row> {
     let row = |(percent, step): (u32, Option<Step>)| {
         let [num, denom] = weight(stage, percent);

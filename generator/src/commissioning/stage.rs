@@ -48,7 +48,7 @@ pub(super) struct Stage {
 }
 
 impl Stage {
-    /// The n-th active stage, with the loop of the axis on its ideal drive, if there is one. `command`: what SET_POINT looks at.
+    /// The n-th active stage, with the loop of the axis, if there is one. `command`: what SET_POINT looks at.
     pub(super) fn new(n: usize, design: &StageDesign, command: &'static str, closed: Option<&Loop<'_>>) -> Self {
         let (stage, index) = (&design.stage, design.index);
         let first = stage.first_bandpass();
@@ -89,8 +89,8 @@ fn seen_in(mode: Mode) -> String {
     }
 }
 
-/// The effect of each part of the weight with an ideal drive; `None` if its loop oscillates. The stages before it have their
-/// full weights, those after it 0.
+/// The effect of each part of the weight with the stated drive, else an ideal one; `None` if its loop oscillates. The
+/// stages before it have their full weights, those after it 0.
 ///
 /// A stage in the loop leaves the ratio of |S| with it to |S| without it at f0. A stage that filters the command leaves |1 +
 /// H|, also in a loop; one with the velocity of the load leaves 1 / (1 + |H|) if nothing changes the phase of its counter-motion.

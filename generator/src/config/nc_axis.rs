@@ -54,7 +54,7 @@ fn child<'d, 'i>(of: Node<'d, 'i>, name: &str) -> Option<Node<'d, 'i>> {
 }
 
 /// A number of an axis that is at least 0, and its position in the file, by the path of elements and the attribute. The error
-/// is a text that is none; `None` without the attribute.
+/// is the text if it is not such a number; `None` without the attribute.
 fn number(axis: Node<'_, '_>, path: &[&str], attribute: &str) -> Result<(f64, usize), Option<String>> {
     let node = path.iter().try_fold(axis, |node, name| child(node, name)).ok_or(None)?;
     let attribute = node.attribute_node(attribute).ok_or(None)?;
@@ -72,7 +72,8 @@ fn scale(axis: Node<'_, '_>) -> Result<(f64, [f64; 2], usize), Option<String>> {
     });
     let ((numerator, at), (denominator, _)) = (of("ScaleFactorNumerator")?, denominator?);
     let scale = numerator / denominator;
-    let resolution = resolution(scale).ok_or_else(|| Some(format!("a scale of {scale} mm per increment")))?;
+    let unusable = || Some(format!("a scale of {numerator}/{denominator} mm per increment"));
+    let resolution = resolution(scale).ok_or_else(unusable)?;
     Ok((scale, resolution, at))
 }
 
@@ -149,7 +150,7 @@ fn note(place: Place, name: Option<&str>, said: &[String], left: &[Left], cycle:
     };
     for (what, is_missing) in [
         ("not in the file, for TwinCAT leaves out what has its default", true),
-        ("in the file, and no number that can be taken", false),
+        ("in the file, but not a usable number", false),
     ] {
         let those: Vec<_> = left.iter().filter_map(|left| of(left, is_missing)).collect();
         if !those.is_empty() {

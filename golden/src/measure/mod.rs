@@ -155,11 +155,12 @@ fn is_sampled(channels: &[Channel], verdicts: &mut Vec<Verdict>) -> bool {
         };
         verdicts.push(Verdict::refusal(codes::NO_INTERVAL, format!("no sampling interval: {without}{why}"), instead));
     }
-    let lost = channels.iter().filter(|channel| channel.timing.missing > 0);
-    if let Some(first) = lost.clone().next() {
-        let before = first.timing.first_gap.map_or_else(String::new, |line| format!(", first before line {line}"));
-        let found =
-            format!("{} samples are missing of {}{before}", first.timing.missing, list(&|c| c.timing.missing > 0));
+    let lost = || channels.iter().filter(|channel| channel.timing.missing > 0);
+    if lost().next().is_some() {
+        let of_each = lost().map(|channel| format!("{} of {}", channel.timing.missing, channel.signal));
+        let before = lost().filter_map(|channel| channel.timing.first_gap).min();
+        let before = before.map_or_else(String::new, |line| format!("; the first before line {line}"));
+        let found = format!("samples are missing: {}{before}", of_each.collect::<Vec<_>>().join(", "));
         let instead = "record again with fewer channels or a larger buffer, or cut the file at the gap";
         verdicts.push(Verdict::refusal(codes::SAMPLES_LOST, found, instead));
     }
@@ -167,7 +168,7 @@ fn is_sampled(channels: &[Channel], verdicts: &mut Vec<Verdict>) -> bool {
         let instead = "record v_command, v_motor and a_load, or name them with --map SCOPE=SIGNAL";
         verdicts.push(Verdict::refusal(codes::NO_CHANNEL, "no channel that is measured", instead));
     }
-    without.is_empty() && lost.count() == 0 && !channels.is_empty()
+    without.is_empty() && lost().next().is_none() && !channels.is_empty()
 }
 
 /// The results of moves without an excitation.

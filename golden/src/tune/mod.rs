@@ -87,10 +87,11 @@ pub fn tune(
     let is_usable = is_usable(axis, moves, &records, &mut tuning);
     let Some(record) = moves.record.as_ref().filter(|_| is_usable) else { return tuning };
     tuning.verdicts.extend(records.iter().find_map(|record| of_other_kind(record, tuning.is_rotary)));
+    let before = tuning.verdicts.len();
     tuning.chosen = chosen::choose(moves, &mut tuning.verdicts);
     let lines = response(axis, excited, prefer);
     if tuning.chosen.is_empty() {
-        let left_out = if tuning.verdicts.is_empty() { "" } else { " that a stage can damp" };
+        let left_out = if tuning.verdicts.len() == before { "" } else { " that a stage can damp" };
         let found = format!("no vibration{left_out} at constant speed or after a ramp");
         let instead = "record a move that shows it, with x_command, v_motor and a sensor at the load";
         tuning.verdicts.push(Verdict::refusal(codes::NO_PROPOSAL, found, instead));
@@ -170,23 +171,25 @@ fn is_usable(axis: &Axis, moves: &Measured, records: &[&Record], tuning: &mut Tu
         let found = "the recording of the moves does not begin and end at rest".to_owned();
         refuse(codes::NOT_AT_REST, found, "record from rest to rest");
     }
-    tuning.verdicts.is_empty() && records.iter().all(|record| is_of_block(axis, record, &mut tuning.verdicts))
+    if tuning.verdicts.is_empty() {
+        records.iter().for_each(|record| of_another_time(axis, record, &mut tuning.verdicts));
+    }
+    tuning.verdicts.is_empty()
 }
 
-/// Whether `v_motor` is what the block took, as far as a dry run shows it: `v_add_calculated` is C times that, with C
-/// of the stages that the axis has. The one pair of channels that shows a `v_motor` which is whole cycles late.
-fn is_of_block(axis: &Axis, record: &Record, verdicts: &mut Vec<Verdict>) -> bool {
+/// Refuses a `v_motor` that is not what the block took, as far as a dry run shows it: `v_add_calculated` is C times that,
+/// with C of the stages that the axis has. Only this pair of channels shows a `v_motor` that is whole cycles late.
+fn of_another_time(axis: &Axis, record: &Record, verdicts: &mut Vec<Verdict>) {
     let stages: Vec<Stage> = axis.ipc.stage.iter().flatten().cloned().collect();
     let pair = record.get("v_motor").zip(record.get("v_add_calculated"));
     let Some((v_motor, calculated)) = pair.filter(|_| !stages.is_empty() && stages.iter().all(stage::looks_at_motor))
     else {
-        return true;
+        return;
     };
     let (cycle, of) = (axis.cycle_time(), stage::controller(&stages, axis.cycle_time(), None));
     let c = |hz: f64| (of.stage)(libm::tan(std::f64::consts::PI * hz * cycle)).iter().sum();
-    let Some(time) = offset::between(v_motor, calculated, cycle, c) else { return true };
-    let is_late = libm::fabs(time.seconds) > (LATE * cycle).larger(3.0 * time.error);
-    if is_late {
+    let Some(time) = offset::between(v_motor, calculated, cycle, c) else { return };
+    if libm::fabs(time.seconds) > (LATE * cycle).larger(3.0 * time.error) {
         let found = format!(
             "v_add_calculated is {:.3} +-{:.3} ms later than the stages of the set make it from v_motor",
             time.seconds * 1e3,
@@ -195,5 +198,4 @@ fn is_of_block(axis: &Axis, record: &Record, verdicts: &mut Vec<Verdict>) -> boo
         let instead = "record v_motor in the cycle in which the block takes it, with the stages that are in the set";
         verdicts.push(Verdict::refusal(codes::CHANNEL_LATE, found, instead));
     }
-    !is_late
 }

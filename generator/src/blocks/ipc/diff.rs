@@ -11,7 +11,7 @@ use crate::parameters::words::{StageMode, Words};
 use portable::Extreme;
 use stability::MAX_MS;
 
-/// The differences: one line each for limit, start, fade and bad samples, then a line for each stage,
+/// The differences: one line each for the limit and the properties of the block, then a line for each stage,
 /// and one for each stage that bears other weights.
 pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     let ipc = [old, new].map(|of| &of.axis.ipc);
