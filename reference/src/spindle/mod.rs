@@ -33,17 +33,17 @@ pub use usual::{
     remain_in_brake, remain_in_position, remain_in_velocity, stays_in_brake, stays_in_position, stays_in_velocity,
 };
 
-use crate::angle::wrapped;
+use crate::angle::{position_limit, wrapped};
 use crate::call_rate;
 use crate::signal::{error_cycle_time, error_none, sample_limit};
 use calls::look_at_calls;
-use change::resynchronise;
+use change::{is_displayed, resynchronise};
 use jobs::WAITING;
 use motion::{advance, slow_down};
 use portable::{Block, Brake, Enable, Off, Real, in_range, note, portable};
 use put_out::{put_out_job, put_out_mode, put_out_motion};
 use seen::forget;
-use start::{follow, release, seize};
+use start::{follow, release, seize, show};
 use state::enter;
 use transition::act;
 use usual::next_usual;
@@ -168,10 +168,18 @@ pub fn begin<R: Real>(
 }
 
 /// The motion that the interpolator does not lead. The velocity command of a spindle that is stopped, or whose drive
-/// is off, goes to 0.
+/// is off, goes to 0. Its position command stays at the spindle, unless the drive displays position control: a drive that
+/// takes up position control late, or is on after all, then brakes the spindle and does not turn it to an old position.
 #[portable]
-pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &Cycle<R>, is_stopped: bool, drive_on: bool) {
-    if is_stopped || cycle.brakes || !drive_on {
+pub fn go_on<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    cycle: &Cycle<R>,
+    is_stopped: bool,
+) {
+    let is_free = !inputs.drive_on || is_stopped && !is_displayed(coeffs, inputs, coeffs.position_mode);
+    if is_stopped || cycle.brakes || !inputs.drive_on {
         let mut v_end = R::ZERO;
         let mut v_end_negative = R::ZERO;
         if cycle.brakes {
@@ -183,7 +191,9 @@ pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &Cycle<R>
     if cycle.holds_back {
         hold_back(state, cycle.v_turning);
     }
-    if is_stopped || cycle.advances {
+    if is_free && in_range(inputs.x_actual, position_limit()) {
+        show(state, coeffs, inputs);
+    } else if is_stopped || cycle.advances {
         advance(state, coeffs);
     }
 }
@@ -229,7 +239,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
         act(state, coeffs, inputs, &mut cycle, is_known);
     }
     let has_failed = state.lasting_error != error_none();
-    go_on(state, coeffs, &cycle, has_failed && inputs.drive_on && !is_seized, inputs.drive_on);
+    go_on(state, coeffs, inputs, &cycle, has_failed && inputs.drive_on && !is_seized);
     end(state, coeffs, inputs, &cycle);
     let x_wrapped = wrapped(state.x);
     state.x = x_wrapped;

@@ -10,12 +10,12 @@ use crate::angle::{position_limit, wrapped};
 use crate::signal::{error_none, error_to_position, error_too_fast, error_v_actual, error_x_actual};
 use portable::{Real, in_range, note, portable, within};
 
-/// The position command for this cycle with which a drive that follows it continues to turn with `v`: it leads by one cycle
-/// less than the command for the next cycle. Without a velocity the actual position.
+/// The position command for this cycle with which a drive that follows it turns with v_spindle: it leads by one cycle less
+/// than the command for the next cycle.
 #[portable]
-pub fn show<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, v: R) {
+pub fn show<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
     let lead_shown = lead_time(coeffs, inputs) - coeffs.cycle_time;
-    let x_shown = wrapped(ahead(inputs.x_actual, v * lead_shown));
+    let x_shown = wrapped(ahead(inputs.x_actual, state.v * lead_shown));
     state.x = x_shown;
 }
 
@@ -47,8 +47,8 @@ pub fn hold_back<R: Real>(state: &mut State<R>, v_turning: R) {
 }
 
 /// The commands follow a spindle that the block does not move yet, so that the drive does not stop it with a step. If the
-/// drive is on, the velocity command is that of the spindle. If it is off, the command is not faster than the spindle: a
-/// drive that is on after all then brakes. Position control is asked for only where both samples show that it moves nothing:
+/// drive is on, the velocity command is that of the spindle. If it is off, the command is not faster than the spindle, and
+/// `go_on` lowers it: a drive that is on after all then brakes. Position control is asked for only where both samples show that it moves nothing:
 /// with an old position a drive would turn the spindle back, and a turning one would be stopped with a step.
 #[portable]
 pub fn follow<R: Real>(
@@ -74,12 +74,13 @@ pub fn follow<R: Real>(
         }
     }
     state.asks_velocity = !(coeffs.only_position || can_hold);
-    if is_found {
-        // Without a sample of the velocity a drive that is on keeps the last one.
-        let v_shown = if inputs.drive_on { state.v } else { cycle.v_turning };
-        show(state, coeffs, inputs, v_shown);
-    } else if inputs.drive_on {
-        advance(state, coeffs);
+    if inputs.drive_on {
+        // Without a sample of the velocity, the last one stays.
+        if is_found {
+            show(state, coeffs, inputs);
+        } else {
+            advance(state, coeffs);
+        }
     }
     if !is_known && inputs.drive_on {
         cycle.sample_error = error_v_actual();

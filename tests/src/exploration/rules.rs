@@ -189,26 +189,24 @@ fn is_on_ramp(edge: &Edge<'_>) -> bool {
 }
 
 fn advances(edge: &Edge<'_>) -> bool {
-    let (old, o, i) = (edge.before.block.x, &edge.outputs, &edge.inputs);
-    let on = wrap(old + o.v_spindle * edge.coeffs.cycle_time);
-    let is_found = is_place(i.x_actual);
-    let found = if is_found { wrap(i.x_actual) } else { old };
-    let coeffs = edge.coeffs;
+    let (old, o, i, coeffs) = (edge.before.block.x, &edge.outputs, &edge.inputs, edge.coeffs);
+    let (is_found, on) = (is_place(i.x_actual), wrap(old + o.v_spindle * coeffs.cycle_time));
     let lead = |v: f64| v * (coeffs.lead_time - coeffs.cycle_time);
-    let turning = edge.turning();
+    let shows_other = coeffs.in_drive && !coeffs.only_velocity && i.operation_mode_display != coeffs.position_mode;
     // What the start puts out, from which an error that comes there stops the spindle.
-    let v = turning.unwrap_or(edge.before.block.v);
+    let v = edge.turning().unwrap_or(edge.before.block.v);
     let accompanied = if is_found { i.x_actual + lead(v) } else { old + v * coeffs.cycle_time };
     match edge.inside {
-        _ if edge.is_off && is_found => o.x_spindle == wrap(i.x_actual + lead(turning.unwrap_or(0.0))),
+        _ if edge.is_off && is_found => o.x_spindle == wrap(i.x_actual + lead(o.v_spindle)),
         _ if edge.is_off => o.x_spindle == old,
         _ if edge.is_seized() => o.x_spindle == wrap(accompanied),
+        _ if is_stopping(edge) && is_found && shows_other => o.x_spindle == wrap(i.x_actual + lead(o.v_spindle)),
         _ if edge.is_start() && is_stopping(edge) => o.x_spindle == wrap(accompanied + o.v_spindle * coeffs.cycle_time),
         _ if edge.is_start() => o.x_spindle == wrap(accompanied),
         _ if is_stopping(edge) => o.x_spindle == on,
         Node::ToPosition if edge.before.x_start.is_some() => true,
         Node::Position | Node::ToVelocity if edge.missing() == 0 => o.x_spindle == wrap(i.x_command),
-        Node::Velocity if edge.missing() == 0 && is_found => o.x_spindle == found,
+        Node::Velocity if edge.missing() == 0 && is_found => o.x_spindle == wrap(i.x_actual),
         _ => o.x_spindle == on,
     }
 }

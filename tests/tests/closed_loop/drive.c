@@ -13,6 +13,9 @@
  *                    the same, and more than three samples of one signal are lost, or the cycle time is wrong: prints by how much
  *                    the error raised the command [rpm], and the runs without an error
  *   drive ahead RPM  something turns the spindle by another 500 rpm: prints the lowest command, and the last error
+ *   drive unseen RPM the block sees the drive off, which is on and still controls the position; then the drive leaves its mode by
+ *                    itself, and takes it up again when the spindle stands: prints the highest speed, the last error, and how
+ *                    far the spindle moved from standstill [deg]
  *
  * -DAXIS=axis_s -DHEADER='"axis_s_spindle_axis.h"', -DIN_DRIVE where the drive controls the position, -DADDITIVE where the drive
  * gets the feedforward as an additive velocity, -DFAST with a drive and a bus that hardly delay. Speeds are in rpm.
@@ -34,7 +37,7 @@
 
 #define T 0.002
 #define RPM 6000.0
-#define MODE_CYCLES 3
+#define MODE_CYCLES 3 /* within which the drive changes its mode */
 #ifdef FAST
 #define LATE 1 /* cycles from the drive to the block */
 #define TAU 1e-4
@@ -60,7 +63,9 @@ static double v_wanted;
 #ifdef IN_DRIVE
 static double x_before;
 static int32_t asked;
+static int32_t mode_cycles = MODE_CYCLES;
 #endif
+static bool unseen; /* the block sees the drive off */
 static int off_cycles; /* until the drive came on */
 static bool obeyed; /* the drive has controlled the position in the cycle before */
 
@@ -123,7 +128,7 @@ static void obey(bool is_on, double direction)
     drive.on = is_on;
 #ifdef IN_DRIVE
     asked = outputs.operation_mode == drive.mode ? 0 : asked + 1;
-    if (asked > MODE_CYCLES) {
+    if (asked > mode_cycles) {
         drive.mode = outputs.operation_mode;
         asked = 0;
         changed = true;
@@ -171,7 +176,7 @@ static void cycle(bool is_on, double direction)
     sent[0] = drive;
     inputs.x_actual = seen.x;
     inputs.v_actual = seen.v;
-    inputs.drive_on = seen.on;
+    inputs.drive_on = seen.on && !unseen;
 #ifdef IN_DRIVE
     inputs.operation_mode_display = seen.mode;
 #else
@@ -281,6 +286,38 @@ static void block_spindle(double speed, int missing)
     printf("%.1f %d\n", lowest_of_all / RPM, missed);
 }
 
+#ifdef IN_DRIVE
+static void turn_unseen(double speed)
+{
+    double highest = 0.0;
+    double way = 0.0;
+    for (int i = 3; i < 50; i += 6) {
+        turn(speed);
+        unseen = true;
+        mode_cycles = i;
+        for (int k = 0; k < 500; k++) {
+            cycle(true, 1.0);
+            highest = fmax(highest, fabs(drive.v));
+        }
+        unseen = false;
+        mode_cycles = MODE_CYCLES;
+        turn(speed);
+        drive.mode = 1;
+        mode_cycles = 1000;
+        for (int k = 0; k < 500; k++) {
+            cycle(true, 1.0);
+        }
+        const double x = drive.x;
+        mode_cycles = MODE_CYCLES;
+        for (int k = 0; k < 500; k++) {
+            cycle(true, 1.0);
+            way = fmax(way, fabs(shortest(drive.x - x)));
+        }
+    }
+    printf("%.1f %u %.3f\n", highest / RPM, (unsigned)outputs.error_id, way / 1000.0);
+}
+#endif
+
 #ifndef IN_DRIVE
 static double *const samples[] = { &inputs.x_command, &inputs.v_interpolator, &inputs.x_actual };
 
@@ -352,7 +389,12 @@ int main(int argc, char **argv)
             block_spindle(speed, argc > 3 ? atoi(argv[3]) : 0);
             return 0;
         }
-#ifndef IN_DRIVE
+#ifdef IN_DRIVE
+        if (strcmp(argv[1], "unseen") == 0) {
+            turn_unseen(speed);
+            return 0;
+        }
+#else
         if (strcmp(argv[1], "lost") == 0) {
             lose_samples(speed);
             return 0;

@@ -1,6 +1,6 @@
 //! Errors that stay: what they do, how long they stay, and what a reset makes of them.
 
-use super::bench::{Bench, T, V_OFF, V_STEP, wrap};
+use super::bench::{Bench, LEAD_TIME, POSITION_MODE, T, V_OFF, V_STEP, wrap};
 use super::script;
 use reference::spindle::{Inputs, Job, SpindleState};
 
@@ -38,12 +38,13 @@ fn failed() -> Vec<(u32, SpindleState, Bench)> {
 fn an_error_stops_the_spindle_by_the_deceleration_in_its_state_and_mode() {
     for (id, state, mut bench) in failed() {
         let mode = bench.outputs.operation_mode;
+        let lead = if mode == POSITION_MODE { T } else { LEAD_TIME - T };
         for _ in 0..200 {
             let (old, o) = (bench.outputs, bench.cycle());
             assert_eq!((o.error_id, o.fault, o.loop_closed), (id, true, false));
             assert_eq!((o.spindle_state, o.operation_mode, o.job), (state, mode, Job::Stop));
             assert_eq!(o.v_spindle, (old.v_spindle - V_STEP).max(0.0));
-            assert_eq!(o.x_spindle, wrap(old.x_spindle + o.v_spindle * T));
+            assert_eq!(o.x_spindle, wrap(old.x_spindle + o.v_spindle * lead));
         }
         assert_eq!(bench.outputs.v_spindle, 0.0);
     }

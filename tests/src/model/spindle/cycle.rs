@@ -107,7 +107,10 @@ impl Model {
         }
         let motion = match (self.stays, is_missing) {
             _ if seizes => Motion { v: self.v, x: Some(self.x) },
-            (Some(_), _) if !is_off => Motion { v: slower(self.v, 0.0, self.step()), x: None },
+            (Some(_), _) if !is_off => {
+                let v = slower(self.v, 0.0, self.step());
+                Motion { v, x: self.with_spindle(v, inputs).filter(|_| !self.displays(inputs, self.p.position_mode)) }
+            }
             (_, true) => Motion { v: self.v, x: None },
             _ if is_off => self.followed(inputs),
             _ => self.moved(inputs),
@@ -189,26 +192,24 @@ impl Model {
             self.v = v;
         }
         self.holds_if(is_known && is_position(inputs.x_actual) && self.v.abs() <= self.p.v_off + self.p.window);
-        self.x = if is_position(inputs.x_actual) {
-            ahead(inputs.x_actual, self.v, lead_time(&self.p, inputs) - self.p.cycle)
-        } else {
-            wrap(self.x + self.v * self.p.cycle)
-        };
+        self.x = self.with_spindle(self.v, inputs).unwrap_or_else(|| wrap(self.x + self.v * self.p.cycle));
     }
 
-    /// The drive is off: the velocity goes down, and is not beyond the spindle's; the position leads as that asks for.
+    /// The drive is off: the velocity goes down, and is not beyond the spindle's.
     fn followed(&mut self, inputs: &Inputs) -> Motion {
-        let v = slower(self.v, 0.0, self.step());
-        let found = is_position(inputs.x_actual).then_some(inputs.x_actual);
-        if !self.samples.take(inputs.v_actual) {
-            self.holds_if(false);
-            return Motion { v, x: found.or(Some(self.x)) };
+        let mut v = slower(self.v, 0.0, self.step());
+        let is_known = self.samples.take(inputs.v_actual);
+        let turning = self.samples.velocity(&self.p).filter(|_| is_known);
+        if let Some(turning) = turning {
+            v = v.clamp(turning.min(0.0), turning.max(0.0));
         }
-        let turning = self.samples.velocity(&self.p).expect("a sample has just been taken");
-        self.holds_if(turning == 0.0 && found.is_some());
-        let lead = lead_time(&self.p, inputs) - self.p.cycle;
-        let x = found.map(|x| ahead(x, turning, lead));
-        Motion { v: v.clamp(turning.min(0.0), turning.max(0.0)), x: x.or(Some(self.x)) }
+        self.holds_if(turning == Some(0.0) && is_position(inputs.x_actual));
+        Motion { v, x: self.with_spindle(v, inputs).or(Some(self.x)) }
+    }
+
+    /// The position that a drive with position control turns to at a velocity, from where the spindle is.
+    fn with_spindle(&self, v: f64, inputs: &Inputs) -> Option<f64> {
+        is_position(inputs.x_actual).then(|| ahead(inputs.x_actual, v, lead_time(&self.p, inputs) - self.p.cycle))
     }
 
     /// The mode at the start: position control only of what is known to stand where it is, or to be slow enough.
