@@ -84,8 +84,9 @@ codes! {
         "A scenario is an NC program of the words that docs/scenarios.md lists, run on one axis: a spindle, or a path axis \
          named X, Y or Z. Every block must be over at some time, and no error of the generated block may occur.";
     NO_SETS = "AX020", "an axis that takes no parameter sets",
-        "A parameter set is for the block of an axis with the key `tunable = \"all\"`. The set of parameters that the block on \
-         the machine was generated from must have the key, and the new one too. Add it to both, and generate the block again.";
+        "A parameter set is for the block of an axis with the key `tunable = \"all\"` or `\"parameters\"`. The set of \
+         parameters that the block on the machine was generated from must have the key, and the new one too. Add it to \
+         both, and generate the block again.";
     OTHER_STRUCTURE = "AX021", "a parameter set for another block",
         "The real type, the cycle time, the fade in cycles, the stages, their modes and filters, the cycles of the watch and of \
          ride_through, cycle_counter, and whether the axis is a gantry slave are the structure of a block: it refuses a set of \

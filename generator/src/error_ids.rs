@@ -35,8 +35,8 @@ const INTERPOLATOR: &str = "Check the link to the interpolator, and the scaling 
 const NO_POSITION_CONTROL: &str = "Velocities, manipulated variable and torque are 0 in a cycle with this fault, xerr is 0, and x_drive follows x_command.";
 const PART: &str = "Check the connection: the signal is an output of another block.";
 /// For an input of the design of a set.
-const REFUSED: &str = "The design ends without a set: designed is FALSE and params is 0. wrong_stage and wrong_filter name the input. The set in use \
-                       goes on.";
+const REFUSED: &str = "The design ends without a set: designed is FALSE and params is 0. Where the block has more \
+                       than one stage or filter, wrong_stage and wrong_filter name the input. The set in use goes on.";
 /// For a request to a spindle.
 const LOST: &str =
     "The request is lost. The spindle continues as before. The error is not latched, and no reset is needed.";
@@ -60,7 +60,9 @@ static ROWS: &[Row] = rows! {
                    or spindle_axis did not act, that value is 0.",
         "Write a number from 0 to 1 to each tuning input: the fraction follows it again.";
     error_unstable: "Not a fault. v_add fades out and stays 0 until the mode is not ON, or reset.",
-        "Take a smaller weight or limit, then a reset, or the mode OFF or DRYRUN: the block is ready again (docs/improved-position-control.md).";
+        "Take a smaller weight; a smaller limit does not help. If the vibration comes from another source (chatter, a \
+         program at f0), take a larger limit or remove the source. Then a reset, or the mode OFF or DRYRUN: the block is \
+         ready again (docs/improved-position-control.md).";
     error_set_structure: "The offered set is refused. Not a fault while a set is in use: that set stays in use. Without a set in use, nothing is added.",
         "Make the set for the block that runs there: `axgen params-of NEW --axis X --on OLD`, with OLD as the file that the block was generated \
          from; or generate the block again (docs/parameter-sets.md).";
@@ -69,7 +71,7 @@ static ROWS: &[Row] = rows! {
     error_set_damaged: "The offered set is refused. Not a fault while a set is in use: that set stays in use. Without a set in use, nothing is added.",
         "The set was changed, damaged, or read while somebody wrote it: write it again, all of it between two calls of the block \
          (docs/parameter-sets.md).";
-    error_call_rate: "The block acts as if it were off while the calls are irregular, and starts anew after it, as after a reset. A spindle brakes to \
+    error_call_rate: "The block acts as if it were off while the calls are irregular, and restarts after it, as after a reset. A spindle brakes to \
                       standstill, and the id stays until a reset.",
         "Call the block once in each cycle of its task, without a condition around the call. The same counter must count those cycles: 1 more in \
          each, and 0 where nothing is checked.";

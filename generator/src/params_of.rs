@@ -81,7 +81,7 @@ fn refused(refusal: &Refusal, name: &str, file: &str, on: &str) -> Diagnostic {
             let place = if *refusal == Refusal::NoSetsBefore { on } else { file };
             let found = format!("axis {name} takes no parameter sets");
             Diagnostic::error(codes::NO_SETS, Place::whole(place), found)
-                .allowed(format!("an axis of a set with `tunable = \"all\"`, in {file} and in {on}"))
+                .allowed(format!("`tunable = \"all\"` or `\"parameters\"`, in {file} and in {on}"))
                 .instead(format!("tunable = \"all\" in [axis.{name}], and generate its block again"))
         }
         Refusal::Structure(lines) => {

@@ -91,7 +91,7 @@ pub enum Command {
         #[arg(long, conflicts_with = "parameter")]
         markdown: bool,
     },
-    /// Writes the parameter set of an axis with `tunable = "all"`, for the block that was generated from OLD
+    /// Writes the parameter set of an axis with `tunable = "all"` or `"parameters"`, for the block generated from OLD
     ParamsOf(ParamsOfArguments),
     /// Explains the code of a message, an error of the controller, an error_id of a block, a signal or a word, and what to do
     Explain {
@@ -230,7 +230,7 @@ pub struct GenerateArguments {
 pub struct RunArguments {
     #[command(flatten)]
     pub subject: AxisArguments,
-    /// The block: ipc, feedforward, position_control, spindle, axis, spindle_axis or excitation
+    /// The block: ipc, feedforward, position_control, spindle, axis, spindle_axis, excitation or set_design
     #[arg(long, value_name = "B", default_value = "ipc")]
     pub block: String,
     /// The engine: reference, program, c, rust, st, twincat, codesys or scl

@@ -129,8 +129,8 @@ table! {
     ImportedLineEnd: AXIS_KEY("imported_list.line_end", kind: Kind::Word(LineEnd::WORDS), default: &["LF"])
     /// real type of the generated blocks: double or single precision
     RealType: AXIS_KEY("real", kind: Kind::Word(RealType::WORDS), default: &["f64"])
-    /// names in C for tools that tell 31 characters apart (C99 5.2.4.1, MISRA C:2012 5.1): all names that linkers see have at most as
-    /// many; the axis then has a name of at most 12 characters
+    /// names in C for tools that distinguish only the first 31 characters (C99 5.2.4.1, MISRA C:2012 5.1): all
+    /// names that linkers see have at most as many; the axis then has a name of at most 12 characters
     ShortNames: AXIS_KEY("short_names", kind: Kind::Word(Boolean::WORDS), default: &["FALSE"])
     /// gear step whose parameters (`getriebe[i]`) are used
     Gear: AXIS_KEY("gear", kind: integer(0, GEARS - 1), default: &["0"])
@@ -147,8 +147,8 @@ table! {
     TuningLimit: AXIS_KEY("tuning_limit", kind: FRACTION, default: &["1"])
     /// whether improved position control watches its loop, fades out where it becomes unstable, and says so: output `tripped`
     Watch: AXIS_KEY("watch", kind: Kind::Word(Boolean::WORDS), default: &["FALSE"])
-    /// cycles after which the motor does what was commanded, at the least 1, fractions allowed: for the stability of the loop; nothing in a
-    /// block is made of it
+    /// cycles after which the motor does what was commanded, at least 1, fractions allowed: for the stability of
+    /// the loop; it does not affect the blocks
     DriveDelay: AXIS_KEY("drive.delay", kind: Kind::Real { from: 1.0, to: 1000.0, open: [false; 2] }, unit: "cycles")
     /// time constant of the drive's velocity, after the delay: for the stability of the loop
     DriveTimeConstant: AXIS_KEY("drive.time_constant", kind: Kind::Duration { from: 1, to: 10_000_000_000 }, unit: "ns")
@@ -173,7 +173,7 @@ table! {
     /// periods of the excitation that are measured, after one that settles
     ExcitationPeriods: AXIS_KEY("excitation.periods", kind: integer(4, 1000), default: &["8"])
     /// whether the blocks look at the rate of their calls: input `cycle_counter`; skipped and doubled calls are a fault, and after a pause the
-    /// block starts anew
+    /// block restarts
     CycleCounter: AXIS_KEY("cycle_counter", kind: Kind::Word(Boolean::WORDS), default: &["FALSE"])
     /// velocity command of the drive: its type in the process data; for position control in the CNC, and for a spindle whose drive changes
     /// to velocity control
@@ -391,7 +391,7 @@ table! {
     FilterType: FILTER("lr_param.improved_position_control.stage[i].filter[k].type", "P-AXIS-00849",
         aliases: &["lr_param.improved_position_control.stage[i].filter.type"], data_type: "STRING",
         kind: Kind::Word(FilterType::WORDS), default: &["BANDPASS", "NO_FILTER"], since: IPC_FILTERS)
-    /// low-pass prototype of a band-pass; the second filter needs it in writing
+    /// low-pass prototype of a band-pass; it must be given explicitly for the second filter
     FilterPrototype: FILTER("lr_param.improved_position_control.stage[i].filter[k].prototype", "P-AXIS-00848",
         aliases: &["lr_param.improved_position_control.stage[i].filter.prototype"], data_type: "STRING",
         kind: Kind::Word(Prototype::WORDS), default: &["CRIT_DAMPING"], since: IPC_FILTERS)

@@ -38,7 +38,7 @@ fn prototype(e: &mut Effective<'_>, index: [u32; 2]) -> Option<Prototype> {
     let parameter = key.0.parameter();
     if index[1] > 0 && e.given(key).is_none() {
         let found = format!(
-            "{} is missing: the band-pass in filter[{}] needs it in writing",
+            "{} is missing: it must be given explicitly for the band-pass in filter[{}]",
             parameter.title(parameter.path, index),
             index[1]
         );
