@@ -42,9 +42,9 @@ fn word(before: Call, last: Call, now: Call) -> Option<&'static str> {
         2 if goes_on && last.acts => Some("a lost call is tolerated"),
         0 if goes_on && last.acts => Some("a doubled call is tolerated"),
         1.. if now.counter < last.counter && last.acts && !now.acts && !is_fault => {
-            Some("starts anew as the counter does")
+            Some("restarts as the counter does")
         }
-        4.. if last.acts && !now.acts && !is_fault => Some("starts anew after a pause"),
+        4.. if last.acts && !now.acts && !is_fault => Some("restarts after a pause"),
         _ => None,
     }
 }
