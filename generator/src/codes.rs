@@ -104,7 +104,7 @@ codes! {
 
     LINE = "AX101", "not a line of an axis list",
         "A line is `path value`, with blanks or tabs between and no `=`; `#`, `(`, `/*`, `;` or `//` begins a comment, to the \
-         end of the line.";
+         end of the line. So `*/` ends no comment: write a `#` before each line of a longer one.";
     BYTE = "AX102", "a byte outside of ASCII",
         "Bytes that are not printable ASCII are legal in comments, and in the values of other functions' parameters.";
     NO_VALUE = "AX103", "a parameter without a value",

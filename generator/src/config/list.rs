@@ -37,6 +37,7 @@ pub(crate) fn read(list: &AxisList) -> List {
         },
         source: &list.source,
         commented: None,
+        is_open: false,
         is_after_end: false,
         is_taken: false,
     };
@@ -60,6 +61,8 @@ struct Reading<'s> {
     source: &'s Arc<Source>,
     /// the last line ended with a comment; the value is whether a continuation without a comment sign has been reported
     commented: Option<bool>,
+    /// the last comment `/*` has no `*/` in its line
+    is_open: bool,
     is_after_end: bool,
     /// the line was the value of the line above, which has been reported
     is_taken: bool,
@@ -76,9 +79,7 @@ impl Reading<'_> {
             Content::Statement(statement) => (statement.comment, at + statement.comment_at()),
             Content::Unreadable { .. } => (&[][..], at),
         };
-        if let Some(said) = odd_line::text_after(comment).map(|after| after_comment(self.source, comment_at + after)) {
-            self.list.report.push(said);
-        }
+        self.comment(comment_at, comment);
         let commented = self.commented.take();
         self.commented = (!comment.is_empty()).then_some(false);
         match content {
@@ -90,6 +91,10 @@ impl Reading<'_> {
                 self.is_after_end = true;
                 true
             }
+            Content::Statement(statement) if !self.is_after_end && odd_line::ends_no_comment(&statement) => {
+                self.list.report.push(end_of_no_comment(self.source.place(at + statement.path_at())));
+                false
+            }
             Content::Statement(statement) if commented.is_some() && odd_line::is_prose(&statement) => {
                 self.wrapped(at, &statement, commented == Some(true));
                 true
@@ -97,13 +102,29 @@ impl Reading<'_> {
             Content::Statement(statement) => self.statement(at, &statement, below),
             Content::Unreadable { text, at: bad } => {
                 // A name or a text of another function may be Latin-1 or UTF-8.
-                let is_kept = text[bad] >= 0x80 && odd_line::is_of_another_function(&text[..bad]);
+                let is_kept = text[bad] >= 0x80
+                    && !(self.is_open && text.trim_ascii_end().ends_with(b"*/"))
+                    && odd_line::is_of_another_function(&text[..bad]);
                 self.list.foreign.count += usize::from(is_kept);
                 if !is_kept {
                     self.meant(at, str::from_utf8(text[..bad].trim_ascii_start()).unwrap_or_default());
                     self.list.report.push(bad_byte(self.source, at + bad));
                 }
                 is_kept
+            }
+        }
+    }
+
+    /// Reports text after a comment `/* ... */`, and a comment `/*` that ends within the comment of a later line.
+    fn comment(&mut self, at: usize, comment: &[u8]) {
+        if let Some(after) = odd_line::text_after(comment) {
+            self.list.report.push(after_comment(self.source, at + after));
+        }
+        let begins = comment.starts_with(b"/*");
+        if begins || self.is_open {
+            self.is_open = !comment.windows(2).any(|two| two == b"*/");
+            if !begins && !self.is_open {
+                self.list.report.push(end_of_no_comment(self.source.place(at)));
             }
         }
     }
@@ -322,6 +343,12 @@ fn first_word(instead: &str) -> &str {
 fn twice(written: &str, first: &Setting, place: Place) -> Diagnostic {
     let found = format!("`{written}` is given twice, first in line {}", first.path_place().line);
     Diagnostic::error(codes::GIVEN_TWICE, place, found).instead("one of the two lines")
+}
+
+fn end_of_no_comment(place: Place) -> Diagnostic {
+    let found = "`*/` ends no comment: a comment ends with its line, and the lines between were read";
+    let said = Diagnostic::error(codes::LINE, place, found).allowed("path value # comment");
+    said.instead("a `#` before each line of the comment")
 }
 
 fn after_comment(source: &Source, at: usize) -> Diagnostic {

@@ -43,6 +43,11 @@ fn is_end_of_path(line: &Statement<'_>) -> bool {
     !line.value.is_empty() && !is_word(spelled.after) && value::of_text(name.parameter(), spelled.text).is_ok()
 }
 
+/// Whether `*/` is outside of a comment and of a string: it ends no comment, because that ends with its line.
+pub(super) fn ends_no_comment(line: &Statement<'_>) -> bool {
+    line.path.contains("*/") || line.value.rsplit('"').next().is_some_and(|text| text.contains("*/"))
+}
+
 /// The text after the end of a comment `/* ... */`, which belongs to the comment.
 pub(super) fn text_after(comment: &[u8]) -> Option<usize> {
     let end = comment.strip_prefix(b"/*")?.windows(2).position(|two| two == b"*/")? + 4;
@@ -70,10 +75,6 @@ pub(super) fn nc_word(path: &str) -> Option<&'static str> {
 /// Classifies a line without a path, and says what to write instead.
 pub(super) fn malformed(line: &Statement<'_>) -> (String, Option<String>) {
     let written = value::shown(line.path);
-    if line.path.contains("*/") || line.value.ends_with("*/") {
-        let found = "`*/` ends no comment: a comment ends with its line, and the lines between were read".to_owned();
-        return (found, Some("a `#` before each line of the comment".to_owned()));
-    }
     if line.value.is_empty() && value::is_number(line.path) {
         return (
             format!("{written} is a value without a path"),
