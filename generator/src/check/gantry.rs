@@ -22,8 +22,7 @@ pub(crate) fn numbers(axes: &[GivenAxis]) -> Report {
             let found =
                 format!("{name} has the logical axis number {number} (P-AXIS-00016), which {owner} has already");
             let diagnostic = Diagnostic::error(codes::NUMBER_TWICE, setting.value_place(), found);
-            report
-                .push(diagnostic.instead(format!("[axis.{name}] kopf.achs_nr = with a number that no other axis has")));
+            report.push(diagnostic.instead("kopf.achs_nr with a number that no other axis has"));
         }
     }
     report

@@ -190,7 +190,7 @@ fn of_list(path: &Path, list: &AxisList, options: &ListOptions, top: &Values, re
     report.diagnostics.extend(own_key::unread(&own, &Values::default(), top.get(key(Name::CycleTime))));
     let values = complete.then_some(values);
     report.diagnostics.extend(values.iter().flat_map(|values| foreign.mistyped(values)));
-    GivenAxis { name, home: list.source.whole(), foreign, report, values }
+    GivenAxis { name, home: list.place(), foreign, report, values }
 }
 
 /// The contents of a list, or a message about the probable kind of the file.

@@ -47,7 +47,7 @@ pub(crate) fn read(list: &AxisList) -> List {
         unreadable += usize::from(!reading.line(list.range.start + line.at, line.content, &lines));
         if unreadable == UNREADABLE_LINES {
             let found = format!("{UNREADABLE_LINES} lines that no axis list has; the rest is not read");
-            let said = Diagnostic::error(codes::NO_LIST, list.source.whole(), found);
+            let said = Diagnostic::error(codes::NO_LIST, list.place(), found);
             reading.list.report.push(said.instead("the name of an axis list"));
             reading.list.complete = false;
             break;

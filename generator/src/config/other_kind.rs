@@ -15,10 +15,13 @@ const SET: FileKind = ("seems to be a set in TOML", "a name that ends with .toml
 pub(crate) fn instead_of_a_list(list: &AxisList, read: &List) -> Option<Diagnostic> {
     let said = |(what, instead): FileKind| {
         let found = format!("no parameter of an axis is in the file: it {what}");
-        Diagnostic::error(codes::NO_LIST, list.source.whole(), found).allowed("an axis list").instead(instead)
+        Diagnostic::error(codes::NO_LIST, list.place(), found).allowed("an axis list").instead(instead)
     };
     let has_odd_lines = read.report.diagnostics.iter().any(|said| said.code == codes::LINE);
-    if has_odd_lines
+    // In a project the name of the file is right.
+    let is_file = list.range.start == 0;
+    if is_file
+        && has_odd_lines
         && statements(list.bytes()).any(|line| line.path.starts_with("[axis.") || line.path.starts_with("[[axis."))
     {
         return Some(said(SET));
@@ -32,7 +35,10 @@ pub(crate) fn instead_of_a_list(list: &AxisList, read: &List) -> Option<Diagnost
     if contents(list.bytes()).any(is_of_an_axis) {
         return None;
     }
-    Some(said(seems(list.bytes())))
+    Some(said(match seems(list.bytes()) {
+        SET if !is_file => ("is of another kind", "the list of an axis"),
+        kind => kind,
+    }))
 }
 
 /// Whether a list without a parameter of an axis contains a block of an NC program.

@@ -117,9 +117,12 @@ pub(crate) fn of_axis(mut lists: Vec<AxisList>, name: Option<&str>) -> Result<Ax
 }
 
 impl AxisList {
-    /// The line of the file in which the list begins.
-    fn place(&self) -> Place {
-        let of_list = || self.source.place(self.range.start);
+    /// The line of the project in which the list begins; the whole file, if it is a list.
+    pub(crate) fn place(&self) -> Place {
+        let of_list = || match self.range.start {
+            0 => self.source.whole(),
+            start => self.source.place(start),
+        };
         Place { column: 0, ..self.said.as_ref().map_or_else(of_list, |said| said.place.clone()) }
     }
 

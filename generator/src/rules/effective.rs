@@ -94,11 +94,11 @@ impl<'a> Effective<'a> {
         }
     }
 
-    /// The place of a parameter. If a list, whose home is the whole file, does not give it: the place of the first related
+    /// The place of a parameter. If a list, whose home has no column, does not give it: the place of the first related
     /// parameter.
     pub(crate) fn place_near(&self, key: Key, is_about_it: impl Fn(Name) -> bool) -> Place {
         let place = self.place_of(key);
-        if place.line > 0 {
+        if place != self.home || place.column > 0 {
             return place;
         }
         let near = self.all_given().find(|((name, _), _)| is_about_it(*name));
