@@ -65,7 +65,8 @@ fn delay(e: &mut Effective<'_>, i: u32, StageDesign { stage, cycle_time, .. }: &
             real_text(stage.f0()),
             rounded(lag)
         );
-        let instead = Some("an ALLPASS in the other filter, SET_POINT, or a shorter cycle time".to_owned());
+        let instead =
+            Some("an ALLPASS in the other filter, SET_POINT with osc_damping, or a shorter cycle time".to_owned());
         e.warn(codes::DELAY, (Name::FilterF0, [i, k]), found, instead);
     }
 }
