@@ -844,3 +844,6 @@ codes! {
          with that of the last valid sample. While three samples are missing, the lag of a blocked spindle grows by the way of \
          four cycles. If that is a turn or more, the spindle can turn the other way without an error.";
 }
+    LOW_F0 = "AX546", "a centre frequency that is probably in kHz",
+        "The fade lasts at least one period of the lowest f0: below 0.5 Hz more than 2 s. OFF takes as long. fg_f0 (P-AXIS-00751) \
+         is in Hz. If the vibration is as slow as this, nothing is wrong.";

@@ -18,6 +18,8 @@ use portable::Extreme;
 
 /// Above this f0 * Ts the upper skirt of a band-pass is compressed towards half the sampling frequency.
 const NEAR_NYQUIST: f64 = 0.35;
+/// Below this f0 [Hz] the fade takes more than 2 s.
+const LOW_F0: f64 = 0.5;
 /// Twice the weight at which the controller caps: with a usual damping ratio no weight reaches this gain.
 const MUCH_GAIN: f64 = 2.0 * Stage::MAX_WEIGHT;
 /// Few axes have a largest velocity below 5 mm/s or 5 deg/s; a value below it is probably in mm/s, m/min, deg/s or
@@ -40,7 +42,7 @@ pub(crate) fn advise(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
             capped(e, i, &design.stage);
             no_denominator(e, i, &design.stage);
             resonance(e, i, &design.stage);
-            near_nyquist(e, i, &design.stage, axis.cycle_time_ns);
+            frequencies(e, i, &design.stage, axis.cycle_time_ns);
             phase::advise(e, i, design, axis.ipc.delay_cycles);
         }
     }
@@ -233,9 +235,19 @@ fn inert_source(e: &mut Effective<'_>, i: u32, design: Option<&StageDesign>) {
     }
 }
 
-fn near_nyquist(e: &mut Effective<'_>, i: u32, stage: &Stage, cycle_time_ns: u32) {
+/// Warns of a centre frequency that is probably in kHz, and of one near half the sampling frequency.
+fn frequencies(e: &mut Effective<'_>, i: u32, stage: &Stage, cycle_time_ns: u32) {
     for (k, filter) in (0..FILTERS).zip(&stage.filter) {
         let Some(f0) = filter.f0() else { continue };
+        let key = (Name::FilterF0, [i, k]);
+        if f0 < LOW_F0 {
+            let (written, period) = (real_text(f0), rounded(1.0 / f0));
+            let title = e.title(key);
+            let found =
+                format!("{title} is {written} Hz: the fade lasts at least one period of it, {period} s, also to OFF");
+            let instead = format!("{}, if {written} kHz is meant: the unit is Hz", rounded(f0 * 1e3));
+            e.warn(codes::LOW_F0, key, found, instead);
+        }
         let f0_ts = f0 * f64::from(cycle_time_ns) / 1e9;
         if f0_ts > NEAR_NYQUIST {
             let Some(what) = kinds::of(filter).map(|kind| kind.squeezed()) else { continue };
@@ -245,7 +257,7 @@ fn near_nyquist(e: &mut Effective<'_>, i: u32, stage: &Stage, cycle_time_ns: u32
             );
             let instead =
                 Some(format!("a shorter cycle time, or fg_f0 below {NEAR_NYQUIST} of the sampling frequency"));
-            e.warn(codes::SQUEEZED, (Name::FilterF0, [i, k]), found, instead);
+            e.warn(codes::SQUEEZED, key, found, instead);
         }
     }
 }
