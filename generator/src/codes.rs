@@ -672,11 +672,13 @@ codes! {
          an inertia in kg m^2 at the motor, that of a linear one (motor = \"linear\") a mass in kg; the angle of the motor follows from \
          the feed constant (P-AXIS-00362/00363), the gear ratio (P-AXIS-00234/00233) and, without a feed constant, \
          incr_per_rev (P-AXIS-00092). The line `additive torque` of check states what an acceleration becomes.";
-    TURNS = "AX489", "a rotary PROFIdrive axis with a shift time",
+    TURNS = "AX489", "a rotary axis whose drive may get a position of another turn",
         "With shift_time (P-AXIS-00165) the deviation XERR takes a position command that is up to 4 cycles old. If the command of the \
          axis steps by a turn (modulo), XERR jumps by a turn for as many cycles, and the drive with it; converting the actual \
-         position does not help. The command must count on across turns, or shift_time must be 0. Where it counts on, nothing \
-         is wrong.";
+         position does not help. The command must count on across turns, or shift_time must be 0. With conventional feedforward \
+         (VEL, ACC, JERK) a SERCOS or CANopen drive gets x_command + v_feedforward / Kv, which leaves 0 to 360 deg before a modulo \
+         command wraps. The command must count on, x_drive must be wrapped before it is sent, or the feedforward must be ADD_VEL. \
+         Where the command counts on, nothing is wrong.";
 
     LEFT_OVER = "AX490", "a file that is not generated any more, and was edited",
         "An earlier run generated the file from this set. Its axis, block or target is gone, so that this run would have \
@@ -843,7 +845,7 @@ codes! {
         "The block spindle_axis stops the spindle with error_id 48 where the loop in the CNC lags by 170 deg. It compares the lag \
          with that of the last valid sample. While three samples are missing, the lag of a blocked spindle grows by the way of \
          four cycles. If that is a turn or more, the spindle can turn the other way without an error.";
-}
     LOW_F0 = "AX546", "a centre frequency that is probably in kHz",
         "The fade lasts at least one period of the lowest f0: below 0.5 Hz more than 2 s. OFF takes as long. fg_f0 (P-AXIS-00751) \
          is in Hz. If the vibration is as slow as this, nothing is wrong.";
+}

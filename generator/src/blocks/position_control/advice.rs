@@ -95,20 +95,31 @@ fn saturation(axis: &Axis, control: &PositionControl, gear: u32, e: &mut Effecti
     }
 }
 
-/// Warns of a rotary PROFIdrive axis whose command may begin a turn anew while the deviation still takes an older one.
+/// Warns of a rotary axis whose drive gets a position of another turn than the command, if that wraps.
 fn turns(axis: &Axis, control: &PositionControl, e: &mut Effective<'_>) {
-    if !axis.control.is_rotary || control.shift_time == 0 {
-        return;
-    }
-    let at = key(Name::ShiftTime);
-    let found = format!(
-        "the axis is rotary, and XERR takes the position command of {} cycles before (P-AXIS-00165): with a modulo command it jumps \
-         by a turn in these cycles",
-        control.shift_time
-    );
+    let leads = axis.control.feedforward.as_ref().is_some_and(|of| of.conventional.any());
+    let (at, found, instead) = match (control.location, control.shift_time) {
+        _ if !axis.control.is_rotary => return,
+        (Location::Profidrive, cycles @ 1..) => (
+            key(Name::ShiftTime),
+            format!(
+                "the axis is rotary, and XERR takes the position command of {cycles} cycles before (P-AXIS-00165): with a \
+                 modulo command it jumps by a turn in these cycles"
+            ),
+            "shift_time 0, unless the position command counts on across turns",
+        ),
+        (Location::Drive, _) if leads => (
+            key(Name::FeedforwardMode),
+            "the axis is rotary, and x_drive leads by v_feedforward / Kv: with a modulo command it leaves the turn before \
+             the command wraps"
+                .to_owned(),
+            "a position command that counts on across turns, x_drive wrapped before it is sent, or ADD_VEL",
+        ),
+        _ => return,
+    };
     let place = e.place_near(at, |name| matches!(name, Name::DriveType | Name::AxisType));
     let said = Diagnostic::warning(codes::TURNS, place, found);
-    e.report.push(said.instead("shift_time 0, unless the position command counts on across turns"));
+    e.report.push(said.instead(instead));
 }
 
 /// The lowest velocity that the axis must be able to command: that of the change to position control, else the largest.
