@@ -413,7 +413,7 @@ pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
             &coeffs.ride_through,
             &coeffs.stage,
             &state.source,
-            state.preset && state.fade <= coeffs.fade_cycles,
+            state.preset && state.fade <= coeffs.fade_cycles && inputs.position_controlled && !inputs.reset,
             inputs,
             &mut replaced,
         );

@@ -170,7 +170,7 @@ impl Ipc {
         const READ_BY: [&[Mode]; 3] = [&[Mode::SetPoint], &[Mode::Indirect, Mode::DirectMotor], &[Mode::DirectLoad]];
         let mut velocities = [v_command, inputs.v_motor, inputs.v_direct];
         let is_bad = [0, 1, 2].map(|i| Coefficients::reads(p, READ_BY[i]) && !is_in_range(c, velocities[i]));
-        let is_held = is_bad.contains(&true) && self.can_ride();
+        let is_held = is_bad.contains(&true) && inputs.position_controlled && !inputs.reset && self.can_ride();
         if !is_bad.contains(&true) {
             self.bad = 0;
         } else if is_held {
