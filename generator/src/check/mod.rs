@@ -110,7 +110,7 @@ fn validated(name: &str, cycle_time: Option<u32>, e: &mut Effective<'_>, is_tune
     let control = control(e, cycle_time, (axis_type, changes_over), ipc.as_ref());
     e.block = Some(EXCITATION);
     let excitation = excitation::check(e, cycle_time);
-    let has_stages = is_tuned || ipc.as_ref().is_some_and(Ipc::is_active);
+    let has_stages = is_tuned || ipc.as_ref().is_none_or(Ipc::is_active);
     let drive = drive_of_stages(e, has_stages, control.as_ref().map(|(control, _)| control));
     if e.report.has_errors() {
         return None;
@@ -204,9 +204,7 @@ fn control_with_drive(
     let has_feedforward = feedforward.as_ref().and_then(Presence::as_present);
     e.block = Some(POSITION_CONTROL);
     e.integer(v_max);
-    let position_control = feedforward
-        .as_ref()
-        .and_then(|_| position_control::check(e, (&drive, cycle_time), ipc, has_feedforward, is_slave));
+    let position_control = position_control::check(e, (&drive, cycle_time), ipc, has_feedforward, is_slave);
     e.block = Some(SPINDLE);
     let spindle = if changes_over {
         spindle::check(e, cycle_time, &drive, has_feedforward, [is_slave, has_stages]).map(Presence::Present)

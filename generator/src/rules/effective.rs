@@ -160,6 +160,20 @@ impl<'a> Effective<'a> {
         self.used_value(key).map(|value| word_of(key, &value))
     }
 
+    /// A word that decides which values of its table are used. If it is refused, all that are given are checked.
+    pub(crate) fn deciding_word<T: Words>(&mut self, key: Key) -> Option<T> {
+        let word = self.word(key);
+        if word.is_none() {
+            let path = |(name, index): Key| path_with(name.parameter().path, index);
+            let own = path(key);
+            let table = &own[..=own.rfind('.').unwrap_or(0)];
+            for (given, _) in self.all_given().filter(|(given, _)| path(*given).starts_with(table)) {
+                self.validated(given);
+            }
+        }
+        word
+    }
+
     pub(crate) fn integer(&mut self, key: Key) -> Option<u32> {
         self.used_value(key).and_then(|value| integer_of(key, &value))
     }

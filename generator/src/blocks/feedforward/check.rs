@@ -16,16 +16,17 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
     }
     e.note(key(Name::FeedforwardMode), &Value::Words(words.iter().map(|word| word.name()).collect()));
     drive::note(e, &[Name::DriveType, Name::OperationMode]);
-    refuse_jerk(e, has(FeedforwardWord::AddJerk))?;
+    let has_allowed_jerk = refuse_jerk(e, has(FeedforwardWord::AddJerk));
     let mut ways = possible_ways(e, &words, drive);
-    without_delay(e, &words)?;
+    let has_allowed_delay = without_delay(e, &words);
     let [default_active, global_disable] = [Name::DefaultActive, Name::GlobalDisable]
         .map(|name| e.word::<Boolean>(key(name)).map(|word| word == Boolean::True));
     let [weight, acceleration, jerk] = weights(e, &mut ways);
     let Ways { conventional, additive, torque } = ways;
     let [velocity_delay, acceleration_delay, jerk_delay] = delays(e, cycle_time, ways);
-    let velocity = drive.velocity(e, additive.any())?.present();
+    let velocity = drive.velocity(e, additive.any());
     let torque_scale = if torque.any() { torque_of(e, drive)?.present() } else { None };
+    has_allowed_jerk.and(has_allowed_delay)?;
     let torque = if torque_scale.is_some() { torque } else { Quantities::default() };
     Some(Presence::Present(Feedforward {
         conventional,
@@ -39,7 +40,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
         velocity_delay: velocity_delay?,
         acceleration_delay: acceleration_delay?,
         jerk_delay: jerk_delay?,
-        velocity,
+        velocity: velocity?.present(),
         torque_scale,
     }))
 }

@@ -150,7 +150,7 @@ fn v_max(e: &mut Effective<'_>, real: Option<RealKind>) -> Option<f64> {
 
 /// A stage; absent: it is not active; `None` after a reported error.
 fn stage(e: &mut Effective<'_>, i: u32, cycle_time: Option<u32>) -> Option<Presence<Stage>> {
-    let word: StageMode = e.word((Name::Mode, [i, 0]))?;
+    let word: StageMode = e.deciding_word((Name::Mode, [i, 0]))?;
     let mode = match word {
         StageMode::NotActive => return Some(Presence::Absent),
         StageMode::Direct => e.word((Name::DirectSource, [i, 0])).map(|source| Mode::Direct { source }),

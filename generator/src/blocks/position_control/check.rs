@@ -32,23 +32,24 @@ pub(crate) fn check(
     drive::note(e, &[Name::DriveType, Name::OperationMode]);
     let [leads, additive, torque] =
         feedforward.map_or([false; 3], |of| [of.conventional, of.additive, of.torque].map(Quantities::any));
-    let velocity = drive.velocity(e, additive || in_drive && (is_active || is_slave))?.present();
+    let velocity = drive.velocity(e, additive || in_drive && (is_active || is_slave));
     let kv = if drive.location == Location::Cnc || leads { e.integer(kv_key) } else { Some(0) };
     if let (Location::Cnc, Some(kv), Some(cycle_ns)) = (drive.location, kv, cycle_time) {
         gain::check(e, cycle_ns, kv_key, kv);
     }
-    let (multi_gain, command) = velocity_command(e, drive)?;
-    let resolution = resolution(e, drive)?.present();
+    let of_command = velocity_command(e, drive);
+    let resolution = resolution(e, drive);
     // A feedforward that is switched off does not lead: the position must not be delayed for it. A torque leads too.
     let is_led = drive.location == Location::Profidrive && (leads || additive || torque);
     let shift_time = if is_led { e.integer(key(Name::ShiftTime)) } else { Some(0) };
+    let (multi_gain, command) = of_command?;
     Some(Presence::Present(PositionControl {
         location: drive.location,
         kv: kv?,
         multi_gain,
         command,
-        velocity,
-        resolution,
+        velocity: velocity?.present(),
+        resolution: resolution?.present(),
         shift_time: shift_time?,
     }))
 }

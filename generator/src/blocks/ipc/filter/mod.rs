@@ -34,7 +34,7 @@ pub(crate) fn of(filter: &Filter) -> Option<Box<dyn FilterKind>> {
 
 /// The filter that the parameters describe; `None` after a reported error.
 pub(super) fn read(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>) -> Option<Filter> {
-    match e.word((Name::FilterType, index))? {
+    match e.deciding_word((Name::FilterType, index))? {
         FilterType::NoFilter => Some(Filter::NoFilter),
         FilterType::Bandpass => bandpass::read(e, index, cycle_time),
         FilterType::Allpass => allpass::read(e, index, cycle_time),
