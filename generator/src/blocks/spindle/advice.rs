@@ -34,30 +34,29 @@ fn never(axis: &Axis, spindle: &Spindle, gear: u32, e: &mut Effective<'_>) {
     let names = [Name::VVelocityControlOn, Name::VelocityPositionControlOn];
     let given = names.into_iter().map(key).find(|key| e.given(*key).is_some());
     let v_max = (Name::VbMax, [gear, 0]);
-    let (at, found) = match given {
+    let (at, found, instead) = match given {
         None => {
             let title = e.title(key(Name::VVelocityControlOn));
             let speed = rpm(f64::from(on));
-            (
-                key(Name::VPositionControlOn),
-                format!(
-                    "{title} is not given: its default is {on}, and up to {speed} rpm the spindle stays in position control"
-                ),
-            )
+            let found = format!(
+                "{title} is not given: its default is {on}, and up to {speed} rpm the spindle stays in position control"
+            );
+            let instead = "v_velocity_control_on with a speed of the spindle: 200 rpm are 1200000".to_owned();
+            (key(Name::VPositionControlOn), found, instead)
         }
         // Another message warns of a default that is not the machine's value.
         Some(given) if f64::from(on) >= axis.ipc.v_max && e.given(v_max).is_some() => {
+            let [title, largest] = [e.title(given), axis.ipc.v_max.to_string()];
             let found = format!(
-                "{} is {on}, and vb_max {} (P-AXIS-00212) is not above it: the spindle stays in position control",
-                e.title(given),
-                axis.ipc.v_max
+                "{title} is {on}, and vb_max {largest} (P-AXIS-00212) is not above it: the spindle stays in position control"
             );
-            (given, found)
+            let instead =
+                format!("v_velocity_control_on below {largest}, or vb_max with the largest speed of the spindle");
+            (given, found, instead)
         }
         Some(_) => return,
     };
-    let diagnostic = Diagnostic::warning(codes::NEVER, e.place_near(at, asks), found);
-    e.report.push(diagnostic.instead("v_velocity_control_on with a speed of the spindle: 200 rpm are 1200000"));
+    e.report.push(Diagnostic::warning(codes::NEVER, e.place_near(at, asks), found).instead(instead));
 }
 
 /// Warns of an additive velocity: in velocity control it would be added to the velocity command of the block `spindle`. The
