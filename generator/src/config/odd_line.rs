@@ -26,8 +26,7 @@ pub(super) fn is_prose(line: &Statement<'_>) -> bool {
     }
     let word = line.path.trim_end_matches('.');
     let has_path = word.split_once('.').is_some_and(|(first, _)| first.contains(|c: char| c.is_ascii_alphabetic()));
-    let is_value = line.value.is_empty() && value::is_number(line.path);
-    !is_value
+    !is_value(line)
         && !has_path
         && !line.path.contains(['[', ']', '='])
         && !line.value.starts_with('=')
@@ -75,7 +74,7 @@ pub(super) fn nc_word(path: &str) -> Option<&'static str> {
 /// Classifies a line without a path, and says what to write instead.
 pub(super) fn malformed(line: &Statement<'_>) -> (String, Option<String>) {
     let written = value::shown(line.path);
-    if line.value.is_empty() && value::is_number(line.path) {
+    if is_value(line) {
         return (
             format!("{written} is a value without a path"),
             Some("the path before it, in the same line".to_owned()),
@@ -107,6 +106,11 @@ pub(super) fn joined(line: &Statement<'_>) -> Option<(&'static str, String)> {
         false => "not known: it has a blank in its path",
     };
     Some((what, format!("{path} {rest}").trim_ascii_end().to_owned()))
+}
+
+/// Whether a line is a number alone.
+fn is_value(line: &Statement<'_>) -> bool {
+    line.value.is_empty() && value::is_number(line.path)
 }
 
 fn is_word(text: &str) -> bool {
@@ -147,7 +151,8 @@ pub(super) fn value_below(line: &Statement<'_>, below: &Lines<'_>) -> Option<(St
     if !line.value.is_empty() && !is_word(line.value) {
         return None;
     }
-    let Content::Statement(below) = below.clone().next()?.content else { return None };
+    let mut lines = below.clone();
+    let Content::Statement(below) = lines.next()?.content else { return None };
     // The next line usually is a path.
     if below.path.contains('.') && below.path.starts_with(|c: char| c.is_ascii_alphabetic()) {
         return None;
@@ -156,6 +161,10 @@ pub(super) fn value_below(line: &Statement<'_>, below: &Lines<'_>) -> Option<(St
     let words: Vec<&str> = std::iter::once(below.path).chain(below.value.split_ascii_whitespace()).collect();
     let value = words.join("_");
     value::of_text(name.parameter(), &value).ok()?;
+    // Paths below each other, then their values: the first value is that of another path.
+    if lines.next().is_some_and(|line| matches!(line.content, Content::Statement(other) if is_value(&other))) {
+        return None;
+    }
     Some((format!("`{path}` has no value: it stands alone in the next line"), format!("{path} {value}")))
 }
 

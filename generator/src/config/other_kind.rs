@@ -9,7 +9,7 @@ use crate::diagnostics::Diagnostic;
 /// What a file seems to be, and what to do.
 type FileKind = (&'static str, &'static str);
 
-const SET: FileKind = ("seems to be a set in TOML", "a name that ends with .toml");
+const SET: FileKind = ("seems to be a set in TOML", "the name of an axis list; the name of a set ends with .toml");
 
 /// The only message about a file that is not a list; `None` if it is one, or nearly.
 pub(crate) fn instead_of_a_list(list: &AxisList, read: &List) -> Option<Diagnostic> {
