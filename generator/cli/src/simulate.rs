@@ -9,6 +9,7 @@ use crate::output;
 use commands::words::{made, seconds};
 use generator::blocks::{self, Designed};
 use generator::codes;
+use generator::diagnostics::{Diagnostic, Place};
 use golden::simulate::{self, Moved, picture, recording, text};
 use std::path::Path;
 
@@ -109,6 +110,11 @@ fn moved(designed: &Designed, to: &SimulateArguments) -> Result<Moved, Exit> {
 
 /// A recording of a move with the excitation of the axis.
 fn excited(designed: &Designed, moved: Moved, speed: Option<f64>, noise: f64) -> Result<String, Exit> {
-    commands::block(designed, "excitation")?;
+    if designed.axis.excitation.is_none() {
+        let name = &designed.axis.name;
+        let found = format!("the axis `{name}` has no block `excitation`");
+        let said = Diagnostic::error(codes::NO_SUCH, Place::whole("--excited"), found);
+        return Err(Exit::Input(said.instead("excitation = { periods = 8 } in the table of the axis").into()));
+    }
     recording::excited(designed, moved, speed, noise).map_err(|why| Exit::input(codes::USAGE, "--excited", why))
 }
