@@ -21,6 +21,7 @@ pub fn run(set: &Path, axis: Option<&str>, to: &OneFile, format: Format) -> Resu
     let read = read.into_inner().unwrap_or_else(PoisonError::into_inner);
     let out = to.out.as_deref();
     one_file::kept_apart(out, read.iter().map(PathBuf::as_path))?;
+    one_file::named(out, false)?;
     one_file::write(out, &list, Rule::by_force(to.force))?;
     Ok(Exit::Done)
 }

@@ -13,6 +13,7 @@ use std::path::Path;
 pub fn run(list: &Path, options: &ListOptions, to: &OneFile, format: Format) -> Result<Exit, Exit> {
     let out = to.out.as_deref();
     one_file::kept_apart(out, [list])?;
+    one_file::named(out, true)?;
     let (set, report) = import_export::import(list, options, &config::load);
     let set = said(set, &report, format)?;
     one_file::write(out, set.as_bytes(), Rule::by_force(to.force))?;

@@ -3,9 +3,9 @@
 
 use crate::exit::Exit;
 use crate::output;
-use generator::codes;
-use generator::diagnostics::Slashes;
+use generator::diagnostics::{Diagnostic, Place, Slashes};
 use generator::write::{self, One, Replace};
+use generator::{codes, config};
 use golden::svg;
 use std::fs;
 use std::io::{self, ErrorKind};
@@ -92,6 +92,19 @@ pub fn allowed<'p>(
         kept_apart(out, inputs.clone())?;
         rule.allows(out)
     })
+}
+
+/// Refuses a name with which the next command would read a set as a list, or a list as a set. A device has any name.
+pub fn named(out: Option<&Path>, is_set: bool) -> Result<(), Exit> {
+    let is_other =
+        |out: &&Path| out.as_os_str() != "-" && config::is_set(out) != is_set && (out.is_file() || !out.exists());
+    let Some(out) = out.filter(is_other) else { return Ok(()) };
+    let (found, instead) = match is_set {
+        true => ("a set with this name would be read as an axis list", "a name that ends with .toml"),
+        false => ("an axis list with this name would be read as a set", "a name with another extension, such as x.lis"),
+    };
+    let said = Diagnostic::error(codes::USAGE, Place::whole(out.slashes()), format!("{found}; nothing was written"));
+    Err(Exit::Input(said.instead(instead).into()))
 }
 
 /// Refuses an output file that is an input of the command.
