@@ -7,6 +7,7 @@ use generator::blocks;
 use generator::codes::{self, CODES, Code, explain, of_controller};
 use generator::diagnostics::Report;
 use generator::error_ids::{self, ErrorId};
+use generator::target;
 
 /// The meanings of a code, a number or a word; all codes, if there is none.
 ///
@@ -45,13 +46,13 @@ fn of_code(code: &Code) -> String {
     format!("{}: {}\n\n{}", code.code, code.title, code.explanation)
 }
 
-/// The meanings of a word: the name of a signal, a parameter, or a value of one.
+/// The meanings of a word: the name of a signal, of a number in Structured Text, a parameter, or a value of one.
 fn of_word(wanted: &str) -> Vec<String> {
     let signals = blocks::signals(wanted).into_iter().map(|(block, is_output, doc)| {
         let kind = if is_output { "output" } else { "input" };
         format!("{kind} `{wanted}` of the block {block}: {doc}")
     });
-    let mut found: Vec<String> = signals.collect();
+    let mut found: Vec<String> = signals.chain(target::meanings(wanted)).collect();
     let parameters = [params::of_name(wanted), params::of_word(wanted)].concat();
     found.extend(parameters.iter().map(|text| text.trim_end().to_owned()));
     found

@@ -12,6 +12,7 @@ mod values;
 pub(crate) use c::names::prefix as c_prefix;
 pub use called::of_names;
 pub(crate) use st::listing::set_name as st_set_name;
+pub use st::meanings;
 pub(crate) use st::twincat::Cdata;
 
 use crate::blocks::Block;

@@ -4,6 +4,8 @@ use crate::pass::Defect;
 use crate::program::{Constant, Expr, Local, Off, Program, Statement, Switch, Type, Var, Variable, rename};
 use portable::{Binary, Brake, Literal};
 
+/// The signals that every block gets.
+const SWITCH: [&str; 3] = ["Enable", "Valid", "Busy"];
 /// The renamed outputs with their new names.
 pub const RENAMED: [(&str, &str); 2] = [("fault", "Error"), ("error_id", "ErrorID")];
 /// The output with the id of a notice, which is not a fault.
@@ -153,10 +155,10 @@ fn has_notices(program: &Program) -> bool {
 /// statement uses the new signals yet.
 fn add_signals(program: &mut Program, off: &Off, renamed: [usize; 2]) -> impl Fn(usize) -> Var + use<> {
     let bool = |path: &str, doc| Variable { path: path.to_owned(), doc, ty: Type::Bool, start: Literal::Bool(false) };
-    let [of_enable, of_valid, of_busy] = docs(off);
-    program.inputs.insert(0, bool("Enable", of_enable));
+    let [enable, valid, busy] = [0, 1, 2].map(|of| bool(SWITCH[of], docs(off)[of]));
+    program.inputs.insert(0, enable);
     let mut old: Vec<Option<Variable>> = std::mem::take(&mut program.outputs).into_iter().map(Some).collect();
-    program.outputs = vec![bool("Valid", of_valid), bool("Busy", of_busy)];
+    program.outputs = vec![valid, busy];
     for ((index, (_, name)), doc) in renamed.iter().zip(RENAMED).zip(OF_ERRORS) {
         program.outputs.extend(old[*index].take().map(|old| Variable { path: name.to_owned(), doc, ..old }));
     }
@@ -191,36 +193,59 @@ const OF_ERRORS: [&str; 2] = [
 ];
 const OF_NOTICE: &str = "id of a notice: it needs attention but is not a fault: 0 none";
 
-/// The meanings of the signals, depending on what turns the block off.
+/// The meanings of Enable, Valid and Busy, depending on what turns the block off.
+const OF_SWITCH: [[&str; 3]; 5] = [
+    [
+        "FALSE: acts as mode OFF, v_add fades out; TRUE: the input mode applies",
+        "TRUE: add v_add; the block is enabled or still fades out, and has no fault in this cycle",
+        "TRUE: keep calling the block; it is enabled or still fades out",
+    ],
+    [
+        "FALSE: acts as position_controlled FALSE, at once and without a ramp; TRUE: the input position_controlled applies",
+        "TRUE: enabled, and no part has a fault in this cycle; the outputs are valid in any case: do not gate them with Valid",
+        "TRUE: keep calling the block; it is enabled",
+    ],
+    [
+        "FALSE: acts as hold_to_run FALSE, v_excite fades out; TRUE: the input hold_to_run applies",
+        "TRUE: add v_excite; the block is enabled or still fades out, and has no fault in this cycle",
+        "TRUE: keep calling the block; it is enabled or still fades out",
+    ],
+    [
+        "FALSE: acts as execute FALSE, no design begins, an active one goes on; TRUE: the input execute applies",
+        "TRUE: enabled or still designing, and no input was refused; params is a set only while designed is TRUE",
+        "TRUE: keep calling the block; it is enabled or still designs",
+    ],
+    [
+        "FALSE: acts as reset TRUE: velocity control brakes to standstill, under position control the interpolator stops; \
+         TRUE: the input reset applies",
+        "TRUE: enabled or still braking, and no fault in this cycle; the outputs are valid in any case: do not gate them with Valid",
+        "TRUE: keep calling the block; it is enabled, the spindle turns, or it is not yet back from velocity control",
+    ],
+];
+
 fn docs(off: &Off) -> [&'static str; 3] {
-    match off {
-        Off::Mode(..) => [
-            "FALSE: acts as mode OFF, v_add fades out; TRUE: the input mode applies",
-            "TRUE: add v_add; the block is enabled or still fades out, and has no fault in this cycle",
-            "TRUE: keep calling the block; it is enabled or still fades out",
-        ],
-        Off::False => [
-            "FALSE: acts as position_controlled FALSE, at once and without a ramp; TRUE: the input position_controlled applies",
-            "TRUE: enabled, and no part has a fault in this cycle; the outputs are valid in any case: do not gate them with Valid",
-            "TRUE: keep calling the block; it is enabled",
-        ],
-        Off::Fade(_) => [
-            "FALSE: acts as hold_to_run FALSE, v_excite fades out; TRUE: the input hold_to_run applies",
-            "TRUE: add v_excite; the block is enabled or still fades out, and has no fault in this cycle",
-            "TRUE: keep calling the block; it is enabled or still fades out",
-        ],
-        Off::Execute(_) => [
-            "FALSE: acts as execute FALSE, no design begins, an active one goes on; TRUE: the input execute applies",
-            "TRUE: enabled or still designing, and no input was refused; params is a set only while designed is TRUE",
-            "TRUE: keep calling the block; it is enabled or still designs",
-        ],
-        Off::Brake(_) => [
-            "FALSE: acts as reset TRUE: velocity control brakes to standstill, under position control the interpolator stops; \
-             TRUE: the input reset applies",
-            "TRUE: enabled or still braking, and no fault in this cycle; the outputs are valid in any case: do not gate them with Valid",
-            "TRUE: keep calling the block; it is enabled, the spindle turns, or it is not yet back from velocity control",
-        ],
+    let of = match off {
+        Off::Mode(..) => 0,
+        Off::False => 1,
+        Off::Fade(_) => 2,
+        Off::Execute(_) => 3,
+        Off::Brake(_) => 4,
+    };
+    OF_SWITCH[of]
+}
+
+/// The meanings of one of the signals, which depend on the block; none for any other name.
+pub fn meanings(name: &str) -> Vec<&'static str> {
+    let of_switch = OF_SWITCH.iter().flat_map(|docs| SWITCH.into_iter().zip(*docs));
+    let of_errors = RENAMED.iter().map(|(_, name)| *name).zip(OF_ERRORS);
+    let all = of_switch.chain(of_errors).chain([(NOTICE, OF_NOTICE)]);
+    let mut found = Vec::new();
+    for (_, doc) in all.filter(|(known, _)| *known == name) {
+        if !found.contains(&doc) {
+            found.push(doc);
+        }
     }
+    found
 }
 
 fn assign(target: Var, value: Expr) -> Statement {

@@ -27,7 +27,7 @@ mod task;
 mod whole;
 
 pub use axis_program::{AxisProgram, RealInput, for_axis};
-pub use enable::{Cycle, NOTICE, NOTICES, ONLY_NOTICES, RENAMED};
+pub use enable::{Cycle, NOTICE, NOTICES, ONLY_NOTICES, RENAMED, meanings};
 
 use crate::pass::{self, Defect, Stage};
 use crate::program::Program;

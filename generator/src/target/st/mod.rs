@@ -12,6 +12,7 @@ pub(super) mod twincat;
 
 use super::{BlockIdentity, File, TargetBlock, Unit, block_name, rendered, with_self_test};
 use askama::Template;
+use compiler::legalise;
 use dialect::{CODESYS, Dialect, SIEMENS, ST};
 use enumeration::{Enumeration, enumerations};
 pub(super) use listing::Listing;
@@ -56,6 +57,19 @@ struct TcInRange<'a> {
     word: &'a str,
     /// the exponent's bits
     exponent: &'a str,
+}
+
+/// What a name means that only Structured Text has: a signal of PLCopen, an output of a self-test, a number of a signal.
+pub fn meanings(name: &str) -> Vec<String> {
+    let of_block = legalise::meanings(name).into_iter();
+    let of_block = of_block.map(|doc| format!("`{name}` of a block in twincat, codesys and scl: {doc}"));
+    let of_test = self_test::OUTPUTS.into_iter().filter(|(output, _)| *output == name);
+    let of_test = of_test.map(|(_, doc)| format!("output `{name}` of a self-test in Structured Text: {doc}"));
+    let numbers = enumerations(["spindle"].iter()).into_iter().flat_map(|of| {
+        let named = of.values.into_iter().filter(|value| value.name == name);
+        named.map(move |value| format!("`{name}` = {}: {}. {}", value.number, value.doc, of.note)).collect::<Vec<_>>()
+    });
+    of_block.chain(of_test).chain(numbers).collect()
 }
 
 /// The files of a block for any compiler of the standard's second edition.

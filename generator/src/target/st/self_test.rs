@@ -17,6 +17,12 @@ use std::ops::Range;
 /// The signal that turns a block on.
 const ENABLE: &str = "Enable";
 
+/// Its outputs, with their meanings.
+pub(super) const OUTPUTS: [(&str, &str); 2] = [
+    ("done", "all samples have run"),
+    ("differing", "number of values so far that differ from the reference: 0 in a correct build"),
+];
+
 /// Its real variables, with their meanings.
 const REALS: [(&str, &str); 7] = [
     ("noise", "pseudo-random integer of 22 bits, minus half of its range"),
@@ -79,14 +85,13 @@ struct Switch<'a> {
 pub(super) fn listing(axis: &BlockIdentity, block: &TargetBlock<'_>, dialect: &Dialect) -> Listing {
     let signals = &signals(&block.program, dialect.language);
     let tested = listing::name(&axis.name, block.program.block, dialect);
-    let [boolean, integer] = [Type::Bool, Type::I32].map(|ty| dialect.language.ty(ty, axis.real));
-    let differing = "number of values so far that differ from the reference: 0 in a correct build";
+    let types = [Type::Bool, Type::I32].map(|ty| dialect.language.ty(ty, axis.real));
     Listing {
         name: name(&tested),
         quote: dialect.quote,
         set: None,
         inputs: Vec::new(),
-        outputs: vec![member(boolean, "done", "all samples have run"), member(integer, "differing", differing)],
+        outputs: types.into_iter().zip(OUTPUTS).map(|(ty, (name, doc))| member(ty, name, doc)).collect(),
         state: state(axis, block, dialect, &tested, signals),
         locals: Vec::new(),
         inline: Vec::new(),
