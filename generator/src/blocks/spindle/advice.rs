@@ -48,7 +48,8 @@ fn never(axis: &Axis, spindle: &Spindle, gear: u32, e: &mut Effective<'_>) {
         Some(given) if f64::from(on) >= axis.ipc.v_max && e.given(v_max).is_some() => {
             let [title, largest] = [e.title(given), axis.ipc.v_max.to_string()];
             let found = format!(
-                "{title} is {on}, and vb_max {largest} (P-AXIS-00212) is not above it: the spindle stays in position control"
+                "{title} is {on}, and vb_max {largest} (P-AXIS-00212) is not above it: the spindle stays in position \
+                 control"
             );
             let instead =
                 format!("v_velocity_control_on below {largest}, or vb_max with the largest speed of the spindle");
