@@ -151,8 +151,7 @@ pub(super) fn value_below(line: &Statement<'_>, below: &Lines<'_>) -> Option<(St
     if !line.value.is_empty() && !is_word(line.value) {
         return None;
     }
-    let mut lines = below.clone();
-    let Content::Statement(below) = lines.next()?.content else { return None };
+    let Content::Statement(below) = below.clone().next()?.content else { return None };
     // The next line usually is a path.
     if below.path.contains('.') && below.path.starts_with(|c: char| c.is_ascii_alphabetic()) {
         return None;
@@ -161,10 +160,6 @@ pub(super) fn value_below(line: &Statement<'_>, below: &Lines<'_>) -> Option<(St
     let words: Vec<&str> = std::iter::once(below.path).chain(below.value.split_ascii_whitespace()).collect();
     let value = words.join("_");
     value::of_text(name.parameter(), &value).ok()?;
-    // Paths below each other, then their values: the first value is that of another path.
-    if lines.next().is_some_and(|line| matches!(line.content, Content::Statement(other) if is_value(&other))) {
-        return None;
-    }
     Some((format!("`{path}` has no value: it stands alone in the next line"), format!("{path} {value}")))
 }
 

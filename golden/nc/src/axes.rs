@@ -166,7 +166,7 @@ fn functions<'w, 't>(words: &'w [Placed<'t>], mistakes: &mut Mistakes) -> Option
     let mut good = true;
     for (at, (placed, function)) in all.iter().enumerate() {
         let apart = |(_, other): &&(&Placed<'t>, Function)| {
-            other == function || !PAIRS.iter().any(|pair| pair.contains(other) && pair.contains(function))
+            !PAIRS.iter().any(|pair| pair.contains(other) && pair.contains(function))
         };
         if let Some((other, _)) = all[..at].iter().find(apart) {
             let found = format!("{} with {}", shown(placed.text), shown(other.text));

@@ -90,7 +90,7 @@ fn a_lag_of_half_a_turn_in_the_cnc_is_an_error_and_never_a_reversal() {
 }
 
 /// The lag of a blocked spindle grows by 22.8 deg in a cycle at 1900 rpm, by 45 deg at 3750 rpm: from 120 to 300 deg while three
-/// samples are missing. A drive that the block sees off brakes all the same. The last four runs are the rows of the page: their number, or each row that does not hold.
+/// samples are missing. The last four runs are the rows of the page: their number, or each row that does not hold.
 #[test]
 fn neither_a_blocked_spindle_nor_a_lost_sample_nor_an_error_is_a_step_of_the_command() {
     let fast = SET.replace("kv = 2000, multi_gain_z", "kv = 8000, multi_gain_z").replace("1200000", "12000000");

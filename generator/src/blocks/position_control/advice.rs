@@ -97,7 +97,7 @@ fn saturation(axis: &Axis, control: &PositionControl, gear: u32, e: &mut Effecti
 
 /// Warns of a rotary axis whose drive gets a position of another turn than the command, if that wraps.
 fn turns(axis: &Axis, control: &PositionControl, e: &mut Effective<'_>) {
-    let leads = axis.control.feedforward.as_ref().is_some_and(|of| of.conventional.any());
+    let leads = axis.control.feedforward.as_ref().is_some_and(|of| of.conventional.any() && !of.global_disable);
     let (at, found, instead) = match (control.location, control.shift_time) {
         _ if !axis.control.is_rotary => return,
         (Location::Profidrive, cycles @ 1..) => (
