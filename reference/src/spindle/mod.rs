@@ -178,7 +178,6 @@ pub fn go_on<R: Real>(
     cycle: &Cycle<R>,
     is_stopped: bool,
 ) {
-    let is_free = !inputs.drive_on || is_stopped && !is_displayed(coeffs, inputs, coeffs.position_mode);
     if is_stopped || cycle.brakes || !inputs.drive_on {
         let mut v_end = R::ZERO;
         let mut v_end_negative = R::ZERO;
@@ -191,7 +190,8 @@ pub fn go_on<R: Real>(
     if cycle.holds_back {
         hold_back(state, cycle.v_turning);
     }
-    if is_free && in_range(inputs.x_actual, position_limit()) {
+    let is_late = is_stopped && !is_displayed(coeffs, inputs, coeffs.position_mode);
+    if cycle.shows || is_late && in_range(inputs.x_actual, position_limit()) {
         show(state, coeffs, inputs);
     } else if is_stopped || cycle.advances {
         advance(state, coeffs);

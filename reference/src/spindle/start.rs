@@ -2,7 +2,7 @@
 //! over. A spindle that turns too fast for position control is caught: BRAKE begins at its actual velocity.
 
 use super::change::{is_displayed, lead_time};
-use super::motion::{advance, ahead};
+use super::motion::ahead;
 use super::seen::{look, turns_with};
 use super::signals::Inputs;
 use super::state::{Coeffs, Cycle, SpindleState, State};
@@ -74,14 +74,9 @@ pub fn follow<R: Real>(
         }
     }
     state.asks_velocity = !(coeffs.only_position || can_hold);
-    if inputs.drive_on {
-        // Without a sample of the velocity, the last one stays.
-        if is_found {
-            show(state, coeffs, inputs);
-        } else {
-            advance(state, coeffs);
-        }
-    }
+    cycle.shows = is_found;
+    // Without a sample of the position, a drive that is on goes on with the velocity.
+    cycle.advances = inputs.drive_on;
     if !is_known && inputs.drive_on {
         cycle.sample_error = error_v_actual();
     } else if !(is_found || coeffs.only_velocity) {

@@ -186,6 +186,8 @@ pub struct Cycle<R> {
     pub v_turning: R,
     /// whether the velocity command goes down to Voff
     pub brakes: bool,
+    /// whether the position command is that of a drive that turns with v_spindle from where the spindle is
+    pub shows: bool,
     /// whether the position command goes on with the velocity command
     pub advances: bool,
     /// whether position control is taken up in the next cycle

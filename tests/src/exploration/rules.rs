@@ -191,19 +191,13 @@ fn is_on_ramp(edge: &Edge<'_>) -> bool {
 fn advances(edge: &Edge<'_>) -> bool {
     let (old, o, i, coeffs) = (edge.before.block.x, &edge.outputs, &edge.inputs, edge.coeffs);
     let (is_found, on) = (is_place(i.x_actual), wrap(old + o.v_spindle * coeffs.cycle_time));
-    let lead = |v: f64| v * (coeffs.lead_time - coeffs.cycle_time);
+    let accompanied = wrap(i.x_actual + o.v_spindle * (coeffs.lead_time - coeffs.cycle_time));
     let shows_other = coeffs.in_drive && !coeffs.only_velocity && i.operation_mode_display != coeffs.position_mode;
-    // What the start puts out, from which an error that comes there stops the spindle.
-    let v = edge.turning().unwrap_or(edge.before.block.v);
-    let accompanied = if is_found { i.x_actual + lead(v) } else { old + v * coeffs.cycle_time };
+    let is_late = is_stopping(edge) && shows_other;
     match edge.inside {
-        _ if edge.is_off && is_found => o.x_spindle == wrap(i.x_actual + lead(o.v_spindle)),
-        _ if edge.is_off => o.x_spindle == old,
-        _ if edge.is_seized() => o.x_spindle == wrap(accompanied),
-        _ if is_stopping(edge) && is_found && shows_other => o.x_spindle == wrap(i.x_actual + lead(o.v_spindle)),
-        _ if edge.is_start() && is_stopping(edge) => o.x_spindle == wrap(accompanied + o.v_spindle * coeffs.cycle_time),
-        _ if edge.is_start() => o.x_spindle == wrap(accompanied),
-        _ if is_stopping(edge) => o.x_spindle == on,
+        _ if edge.is_off && !is_found => o.x_spindle == old,
+        _ if is_found && (edge.is_off || edge.is_seized() || edge.is_start() || is_late) => o.x_spindle == accompanied,
+        _ if edge.is_seized() || edge.is_start() || is_stopping(edge) => o.x_spindle == on,
         Node::ToPosition if edge.before.x_start.is_some() => true,
         Node::Position | Node::ToVelocity if edge.missing() == 0 => o.x_spindle == wrap(i.x_command),
         Node::Velocity if edge.missing() == 0 && is_found => o.x_spindle == wrap(i.x_actual),

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   84ba8a2321c038ee3a7fd237559bd34e
- * checksum    9c95a21e815872d7fa9111409213885b
+ * structure   a2aea03ff3ad4d829818d83738365a92
+ * checksum    625fc3c08ef7636813a3c58051861cb3
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -608,12 +608,14 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         state->spindle_seen_samples = 0u;
         state->spindle_seen_slow = 0u;
     }
+    bool spindle_shows;
     double spindle_v_turning;
     bool spindle_holds_back;
     uint32_t spindle_sample_error;
+    bool spindle_advances;
     if (spindle_is_followed) {
         /* the block does not move the spindle yet: the commands follow it */
-        const bool spindle_is_found = axis_s_spindle_axis_magnitude(inputs->x_actual) <= position_limit;
+        spindle_shows = axis_s_spindle_axis_magnitude(inputs->x_actual) <= position_limit;
         if (spindle_is_known) {
             if (state->spindle_seen_samples == 0u) {
                 state->spindle_seen_v_last = inputs->v_actual;
@@ -670,83 +672,31 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             spindle_holds_back = false;
             spindle_v_turning = 0.0;
         }
-        if (spindle_is_found) {
-            double spindle_v_shown;
-            if (inputs->drive_on) {
-                spindle_v_shown = state->spindle_v;
-            } else {
-                spindle_v_shown = spindle_v_turning;
-            }
-            double spindle_lead_2;
-            if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                int32_t spindle_percentage_2;
-                if (inputs->feedforward_percentage < 100) {
-                    spindle_percentage_2 = inputs->feedforward_percentage;
-                } else {
-                    spindle_percentage_2 = 100;
-                }
-                spindle_lead_2 = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_2);
-            } else {
-                spindle_lead_2 = spindle_lead_time;
-            }
-            const double spindle_lead_shown = spindle_lead_2 - axis_s_spindle_axis_spindle_cycle_time;
-            const double spindle_way_2 = spindle_v_shown * spindle_lead_shown;
-            double spindle_ahead_2;
-            if (axis_s_spindle_axis_magnitude(spindle_way_2) <= lead_limit) {
-                spindle_ahead_2 = inputs->x_actual + spindle_way_2;
-            } else {
-                /* reached only if the block's memory was corrupted */
-                spindle_ahead_2 = inputs->x_actual;
-            }
-            double spindle_within_turn;
-            if (spindle_ahead_2 >= 0.0 && spindle_ahead_2 <= axis_s_spindle_axis_below_full_turn) {
-                spindle_within_turn = spindle_ahead_2;
-            } else if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= counted_limit) {
-                const int32_t spindle_turns = (int32_t)(spindle_ahead_2 * per_turn);
-                const double spindle_rest = spindle_ahead_2 - (double)spindle_turns * axis_s_spindle_axis_full_turn;
-                double spindle_above;
-                if (spindle_rest < 0.0) {
-                    spindle_above = spindle_rest + axis_s_spindle_axis_full_turn;
-                } else {
-                    spindle_above = spindle_rest;
-                }
-                if (spindle_above >= axis_s_spindle_axis_full_turn) {
-                    spindle_within_turn = spindle_above - axis_s_spindle_axis_full_turn;
-                } else {
-                    spindle_within_turn = spindle_above;
-                }
-            } else {
-                /* reached only if the block's memory was corrupted */
-                spindle_within_turn = 0.0;
-            }
-            state->spindle_x = spindle_within_turn;
-        } else if (inputs->drive_on) {
-            state->spindle_x = state->spindle_x + state->spindle_v * axis_s_spindle_axis_spindle_cycle_time;
-        } else {
-            /* no action */
-        }
         if (!spindle_is_known && inputs->drive_on) {
             spindle_sample_error = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
-        } else if (spindle_is_found) {
+        } else if (spindle_shows) {
             spindle_sample_error = 0u;
         } else {
             spindle_sample_error = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
         }
+        spindle_advances = inputs->drive_on;
     } else {
         spindle_sample_error = 0u;
         spindle_holds_back = false;
         spindle_v_turning = 0.0;
+        spindle_shows = false;
+        spindle_advances = false;
     }
     uint32_t spindle_sample_error_3;
     bool spindle_brakes;
-    bool spindle_advances_2;
+    bool spindle_advances_3;
     bool spindle_resynchronises;
     int32_t spindle_next_2;
     if (spindle_is_seized) {
         state->spindle_is_moving = true;
         spindle_sample_error_3 = spindle_sample_error;
         spindle_brakes = false;
-        spindle_advances_2 = false;
+        spindle_advances_3 = spindle_advances;
         spindle_resynchronises = false;
         spindle_next_2 = spindle_cycle_control_3;
     } else if (inputs->drive_on && spindle_may_act) {
@@ -755,7 +705,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             state->spindle_cycles = state->spindle_cycles + 1u;
         }
         uint32_t spindle_lacking;
-        bool spindle_advances;
+        bool spindle_advances_2;
         uint32_t spindle_sample_error_2;
         if (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
                 || spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
@@ -807,12 +757,12 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 state->spindle_v = inputs->v_interpolator;
                 if (spindle_cycle_control_3 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
                     state->spindle_x = inputs->x_command;
-                    spindle_advances = false;
+                    spindle_advances_2 = spindle_advances;
                 } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= position_limit) {
                     state->spindle_x = inputs->x_actual;
-                    spindle_advances = false;
+                    spindle_advances_2 = spindle_advances;
                 } else {
-                    spindle_advances = true;
+                    spindle_advances_2 = true;
                 }
                 const bool spindle_is_reached =
                     inputs->v_interpolator >= spindle_v_velocity_control_on
@@ -840,7 +790,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                     }
                 }
             } else {
-                spindle_advances = false;
+                spindle_advances_2 = spindle_advances;
                 spindle_next_2 = spindle_cycle_control_3;
             }
             spindle_sample_error_2 = spindle_sample_error;
@@ -889,7 +839,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 if (!spindle_can_leave && state->spindle_cycles > axis_s_spindle_axis_spindle_brake_cycles) {
                     state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_BRAKE;
                     spindle_brakes = false;
-                    spindle_advances = false;
+                    spindle_advances_2 = spindle_advances;
                     spindle_resynchronises = false;
                     spindle_next_2 = spindle_cycle_control_3;
                 } else {
@@ -902,7 +852,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                         spindle_next_2 = spindle_cycle_control_3;
                     }
                     spindle_brakes = true;
-                    spindle_advances = true;
+                    spindle_advances_2 = true;
                 }
             } else {
                 bool spindle_completes;
@@ -910,9 +860,9 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 if (state->spindle_is_moving) {
                     if (state->spindle_cycles == 1u) {
                         state->spindle_x = state->spindle_x_start;
-                        spindle_advances = false;
+                        spindle_advances_2 = spindle_advances;
                     } else {
-                        spindle_advances = true;
+                        spindle_advances_2 = true;
                     }
                     spindle_completes = true;
                     spindle_resynchronises = false;
@@ -942,7 +892,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                         }
                         spindle_next = spindle_cycle_control_3;
                     }
-                    spindle_advances = false;
+                    spindle_advances_2 = spindle_advances;
                 }
                 if (spindle_completes) {
                     state->spindle_takes_over = true;
@@ -963,19 +913,19 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             state->spindle_takes_over = true;
             if (state->spindle_missing > 3u) {
                 state->spindle_lasting_error = spindle_lacking;
-                spindle_advances_2 = spindle_advances;
+                spindle_advances_3 = spindle_advances_2;
             } else {
-                spindle_advances_2 = true;
+                spindle_advances_3 = true;
             }
             spindle_sample_error_3 = spindle_lacking;
         } else {
             spindle_sample_error_3 = spindle_sample_error_2;
-            spindle_advances_2 = spindle_advances;
+            spindle_advances_3 = spindle_advances_2;
         }
     } else {
         spindle_sample_error_3 = spindle_sample_error;
         spindle_brakes = false;
-        spindle_advances_2 = false;
+        spindle_advances_3 = spindle_advances;
         spindle_resynchronises = false;
         spindle_next_2 = spindle_cycle_control_3;
     }
@@ -1023,8 +973,54 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             /* no action */
         }
     }
-    if (spindle_is_stopped || spindle_advances_2) {
+    if (spindle_shows) {
+        double spindle_lead_2;
+        if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
+            int32_t spindle_percentage_2;
+            if (inputs->feedforward_percentage < 100) {
+                spindle_percentage_2 = inputs->feedforward_percentage;
+            } else {
+                spindle_percentage_2 = 100;
+            }
+            spindle_lead_2 = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_2);
+        } else {
+            spindle_lead_2 = spindle_lead_time;
+        }
+        const double spindle_lead_shown = spindle_lead_2 - axis_s_spindle_axis_spindle_cycle_time;
+        const double spindle_way_2 = state->spindle_v * spindle_lead_shown;
+        double spindle_ahead_2;
+        if (axis_s_spindle_axis_magnitude(spindle_way_2) <= lead_limit) {
+            spindle_ahead_2 = inputs->x_actual + spindle_way_2;
+        } else {
+            /* reached only if the block's memory was corrupted */
+            spindle_ahead_2 = inputs->x_actual;
+        }
+        double spindle_within_turn;
+        if (spindle_ahead_2 >= 0.0 && spindle_ahead_2 <= axis_s_spindle_axis_below_full_turn) {
+            spindle_within_turn = spindle_ahead_2;
+        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= counted_limit) {
+            const int32_t spindle_turns = (int32_t)(spindle_ahead_2 * per_turn);
+            const double spindle_rest = spindle_ahead_2 - (double)spindle_turns * axis_s_spindle_axis_full_turn;
+            double spindle_above;
+            if (spindle_rest < 0.0) {
+                spindle_above = spindle_rest + axis_s_spindle_axis_full_turn;
+            } else {
+                spindle_above = spindle_rest;
+            }
+            if (spindle_above >= axis_s_spindle_axis_full_turn) {
+                spindle_within_turn = spindle_above - axis_s_spindle_axis_full_turn;
+            } else {
+                spindle_within_turn = spindle_above;
+            }
+        } else {
+            /* reached only if the block's memory was corrupted */
+            spindle_within_turn = 0.0;
+        }
+        state->spindle_x = spindle_within_turn;
+    } else if (spindle_is_stopped || spindle_advances_3) {
         state->spindle_x = state->spindle_x + state->spindle_v * axis_s_spindle_axis_spindle_cycle_time;
+    } else {
+        /* no action */
     }
     if (spindle_resynchronises) {
         state->spindle_is_moving = true;

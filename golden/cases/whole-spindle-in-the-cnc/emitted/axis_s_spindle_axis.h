@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   84ba8a2321c038ee3a7fd237559bd34e
- * checksum    5121d4a05b8e6619af3dcea8a2d4f9f8
+ * structure   a2aea03ff3ad4d829818d83738365a92
+ * checksum    e771b1f34db9e6276a082c09a16afa6c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -39,10 +39,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x84ba8a23u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x21c038eeu
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x3a7fd237u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x559bd34eu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0xa2aea03fu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xf3ad4d82u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x9818d837u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x38365a92u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u

@@ -106,10 +106,10 @@ impl Model {
             };
         }
         let motion = match (self.stays, is_missing) {
-            _ if seizes => Motion { v: self.v, x: Some(self.x) },
+            _ if seizes => Motion { v: self.v, x: self.with_spindle(self.v, inputs) },
             (Some(_), _) if !is_off => {
-                let v = slower(self.v, 0.0, self.step());
-                Motion { v, x: self.with_spindle(v, inputs).filter(|_| !self.displays(inputs, self.p.position_mode)) }
+                let (v, follows) = (slower(self.v, 0.0, self.step()), self.displays(inputs, self.p.position_mode));
+                Motion { v, x: self.with_spindle(v, inputs).filter(|_| is_accompanied || !follows) }
             }
             (_, true) => Motion { v: self.v, x: None },
             _ if is_off => self.followed(inputs),
@@ -192,7 +192,6 @@ impl Model {
             self.v = v;
         }
         self.holds_if(is_known && is_position(inputs.x_actual) && self.v.abs() <= self.p.v_off + self.p.window);
-        self.x = self.with_spindle(self.v, inputs).unwrap_or_else(|| wrap(self.x + self.v * self.p.cycle));
     }
 
     /// The drive is off: the velocity goes down, and is not beyond the spindle's.
@@ -331,7 +330,7 @@ impl Model {
             }
             VELOCITY => Motion { v: inputs.v_interpolator, x: actual },
             BRAKE => Motion { v: slower(self.v, self.p.v_off, self.step()), x: None },
-            _ if origin.is_none() => Motion { v: self.v, x: Some(self.x) },
+            _ if origin.is_none() => Motion { v: self.v, x: self.with_spindle(self.v, inputs) },
             _ => Motion { v: self.v, x: origin.filter(|_| self.now == since) },
         }
     }
