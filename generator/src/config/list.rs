@@ -91,8 +91,9 @@ impl Reading<'_> {
                 self.is_after_end = true;
                 true
             }
-            Content::Statement(statement) if !self.is_after_end && odd_line::ends_no_comment(&statement) => {
-                self.list.report.push(end_of_no_comment(self.source.place(at + statement.path_at())));
+            Content::Statement(line) if self.is_open && !self.is_after_end && odd_line::ends_no_comment(&line) => {
+                self.list.report.push(end_of_no_comment(self.source.place(at + line.path_at())));
+                self.is_open = false;
                 false
             }
             Content::Statement(statement) if commented.is_some() && odd_line::is_prose(&statement) => {
