@@ -193,50 +193,47 @@ const OF_ERRORS: [&str; 2] = [
 ];
 const OF_NOTICE: &str = "id of a notice: it needs attention but is not a fault: 0 none";
 
-/// The meanings of Enable, Valid and Busy, depending on what turns the block off.
-const OF_SWITCH: [[&str; 3]; 5] = [
-    [
-        "FALSE: acts as mode OFF, v_add fades out; TRUE: the input mode applies",
-        "TRUE: add v_add; the block is enabled or still fades out, and has no fault in this cycle",
-        "TRUE: keep calling the block; it is enabled or still fades out",
-    ],
-    [
-        "FALSE: acts as position_controlled FALSE, at once and without a ramp; TRUE: the input position_controlled applies",
-        "TRUE: enabled, and no part has a fault in this cycle; the outputs are valid in any case: do not gate them with Valid",
-        "TRUE: keep calling the block; it is enabled",
-    ],
-    [
-        "FALSE: acts as hold_to_run FALSE, v_excite fades out; TRUE: the input hold_to_run applies",
-        "TRUE: add v_excite; the block is enabled or still fades out, and has no fault in this cycle",
-        "TRUE: keep calling the block; it is enabled or still fades out",
-    ],
-    [
-        "FALSE: acts as execute FALSE, no design begins, an active one goes on; TRUE: the input execute applies",
-        "TRUE: enabled or still designing, and no input was refused; params is a set only while designed is TRUE",
-        "TRUE: keep calling the block; it is enabled or still designs",
-    ],
-    [
-        "FALSE: acts as reset TRUE: velocity control brakes to standstill, under position control the interpolator stops; \
-         TRUE: the input reset applies",
-        "TRUE: enabled or still braking, and no fault in this cycle; the outputs are valid in any case: do not gate them with Valid",
-        "TRUE: keep calling the block; it is enabled, the spindle turns, or it is not yet back from velocity control",
-    ],
+/// The meanings of Enable, Valid and Busy, by what turns the block off.
+const MODE: [&str; 3] = [
+    "FALSE: acts as mode OFF, v_add fades out; TRUE: the input mode applies",
+    "TRUE: add v_add; the block is enabled or still fades out, and has no fault in this cycle",
+    "TRUE: keep calling the block; it is enabled or still fades out",
+];
+const FALSE: [&str; 3] = [
+    "FALSE: acts as position_controlled FALSE, at once and without a ramp; TRUE: the input position_controlled applies",
+    "TRUE: enabled, and no part has a fault in this cycle; the outputs are valid in any case: do not gate them with Valid",
+    "TRUE: keep calling the block; it is enabled",
+];
+const FADE: [&str; 3] = [
+    "FALSE: acts as hold_to_run FALSE, v_excite fades out; TRUE: the input hold_to_run applies",
+    "TRUE: add v_excite; the block is enabled or still fades out, and has no fault in this cycle",
+    "TRUE: keep calling the block; it is enabled or still fades out",
+];
+const EXECUTE: [&str; 3] = [
+    "FALSE: acts as execute FALSE, no design begins, an active one goes on; TRUE: the input execute applies",
+    "TRUE: enabled or still designing, and no input was refused; params is a set only while designed is TRUE",
+    "TRUE: keep calling the block; it is enabled or still designs",
+];
+const BRAKE: [&str; 3] = [
+    "FALSE: acts as reset TRUE: velocity control brakes to standstill, under position control the interpolator stops; \
+     TRUE: the input reset applies",
+    "TRUE: enabled or still braking, and no fault in this cycle; the outputs are valid in any case: do not gate them with Valid",
+    "TRUE: keep calling the block; it is enabled, the spindle turns, or it is not yet back from velocity control",
 ];
 
 fn docs(off: &Off) -> [&'static str; 3] {
-    let of = match off {
-        Off::Mode(..) => 0,
-        Off::False => 1,
-        Off::Fade(_) => 2,
-        Off::Execute(_) => 3,
-        Off::Brake(_) => 4,
-    };
-    OF_SWITCH[of]
+    match off {
+        Off::Mode(..) => MODE,
+        Off::False => FALSE,
+        Off::Fade(_) => FADE,
+        Off::Execute(_) => EXECUTE,
+        Off::Brake(_) => BRAKE,
+    }
 }
 
 /// The meanings of one of the signals, which depend on the block; none for any other name.
 pub fn meanings(name: &str) -> Vec<&'static str> {
-    let of_switch = OF_SWITCH.iter().flat_map(|docs| SWITCH.into_iter().zip(*docs));
+    let of_switch = [MODE, FALSE, FADE, EXECUTE, BRAKE].into_iter().flat_map(|docs| SWITCH.into_iter().zip(docs));
     let of_errors = RENAMED.iter().map(|(_, name)| *name).zip(OF_ERRORS);
     let all = of_switch.chain(of_errors).chain([(NOTICE, OF_NOTICE)]);
     let mut found = Vec::new();
