@@ -375,9 +375,9 @@ OFTEN double turning(const hand_spindle *spindle)
 }
 
 /* The position command of a spindle that turns with v. */
-OFTEN void show(hand_spindle *spindle, const axis_inputs *inputs, double v)
+OFTEN void show(hand_spindle *spindle, const axis_inputs *inputs)
 {
-    spindle->x = wrap(ahead(inputs->x_actual, v * (LEAD_TIME(inputs) - cycle_time)));
+    spindle->x = wrap(ahead(inputs->x_actual, spindle->v * (LEAD_TIME(inputs) - cycle_time)));
 }
 
 /* The commands go with a spindle that the block does not move yet; gives the error. */
@@ -389,11 +389,6 @@ OFTEN uint32_t accompany(hand_spindle *spindle, const axis_inputs *inputs)
         spindle->v = turning(spindle);
     }
     spindle->asks_velocity = !is_known || !is_found || fabs(spindle->v) > v_taken_up;
-    if (is_found) {
-        show(spindle, inputs, spindle->v);
-    } else {
-        advance(spindle);
-    }
     return !is_known ? 23u : is_found ? 0u : 18u;
 }
 
@@ -480,18 +475,17 @@ OFTEN uint32_t follow(hand_spindle *spindle, const axis_inputs *inputs)
     spindle->queued = 0u;
     spindle->takes_over = false;
     slow_down(spindle, 0.0);
-    double v_turning = 0.0;
     const bool is_found = position_in_range(inputs->x_actual);
     spindle->asks_velocity = true;
     if (look(spindle, inputs->v_actual)) {
-        v_turning = turning(spindle);
+        const double v_turning = turning(spindle);
         spindle->asks_velocity = !is_found || fabs(v_turning) > 0.0;
         hold_back(spindle, v_turning);
     }
     if (!is_found) {
         return 18u;
     }
-    show(spindle, inputs, v_turning);
+    show(spindle, inputs);
     return 0u;
 }
 
@@ -547,7 +541,8 @@ OFTEN hand_cycle change_over(hand_spindle *restrict spindle, const axis_inputs *
         cycle.control = TO_POSITION;
     } else {
         cycle.control = spindle->control;
-        if (spindle->lasting_error != 0u && is_at_start(spindle) && spindle->cycles == 0u) {
+        const bool starts = is_at_start(spindle);
+        if (spindle->lasting_error != 0u && starts && spindle->cycles == 0u) {
             /* An error has outlasted the drive that was off: in its first cycle the spindle keeps its velocity. */
             error_id = accompany(spindle, inputs);
             spindle->catches = spindle->asks_velocity;
@@ -565,8 +560,13 @@ OFTEN hand_cycle change_over(hand_spindle *restrict spindle, const axis_inputs *
             }
             if (spindle->lasting_error != 0u) {
                 slow_down(spindle, 0.0);
-                advance(spindle);
             }
+        }
+        const bool is_late = spindle->lasting_error != 0u && !DISPLAYS(inputs, position_mode);
+        if ((starts || is_late) && position_in_range(inputs->x_actual)) {
+            show(spindle, inputs);
+        } else if (starts || spindle->lasting_error != 0u) {
+            advance(spindle);
         }
     }
     spindle->x = wrap(spindle->x);
