@@ -112,7 +112,7 @@ pub fn agreement(
     (lines, agrees)
 }
 
-/// The mistake that explains the difference, or that none does; nothing if there is no unexplained difference.
+/// The lines about the first unexplained difference: the mistakes that explain it, or that no known one does.
 fn explanation(
     recording: &Recording,
     inputs: &Samples,

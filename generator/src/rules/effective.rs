@@ -94,8 +94,8 @@ impl<'a> Effective<'a> {
         }
     }
 
-    /// The place of a parameter. If a list, whose home has no column, does not give it: the place of the first related
-    /// parameter.
+    /// The place of a parameter; if a list does not give it, that of the first related one. The home of a list has no
+    /// column.
     pub(crate) fn place_near(&self, key: Key, is_about_it: impl Fn(Name) -> bool) -> Place {
         let place = self.place_of(key);
         if place != self.home || place.column > 0 {

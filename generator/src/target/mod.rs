@@ -285,14 +285,6 @@ fn bits(real: RealKind) -> usize {
     }
 }
 
-/// The largest number below 1/2.
-fn nearly_half(real: RealKind) -> Literal {
-    match real {
-        RealKind::F64 => Literal::F64(portable::nearly_half()),
-        RealKind::F32 => Literal::F32(portable::nearly_half()),
-    }
-}
-
 /// A file from its template; `mark` precedes it, for readers that need a byte order mark.
 pub(crate) fn rendered(name: &str, mark: &str, template: &impl Template) -> File {
     let mut text = template.render().expect("target: no input can keep a template from being filled");

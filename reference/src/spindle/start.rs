@@ -48,8 +48,9 @@ pub fn hold_back<R: Real>(state: &mut State<R>, v_turning: R) {
 
 /// The commands follow a spindle that the block does not move yet, so that the drive does not stop it with a step. If the
 /// drive is on, the velocity command is that of the spindle. If it is off, the command is not faster than the spindle, and
-/// `go_on` lowers it: a drive that is on after all then brakes. Position control is asked for only where both samples show that it moves nothing:
-/// with an old position a drive would turn the spindle back, and a turning one would be stopped with a step.
+/// `go_on` lowers it: a drive that is on after all then brakes. Position control is asked for only where both samples
+/// show that it moves nothing: with an old position a drive would turn the spindle back, and a turning one would be stopped
+/// with a step.
 #[portable]
 pub fn follow<R: Real>(
     state: &mut State<R>,

@@ -28,6 +28,7 @@ mod whole;
 
 pub use axis_program::{AxisProgram, RealInput, for_axis};
 pub use enable::{Cycle, NOTICE, NOTICES, ONLY_NOTICES, RENAMED, meanings};
+pub use nearest::nearly_half;
 
 use crate::pass::{self, Defect, Stage};
 use crate::program::Program;

@@ -7,7 +7,7 @@
 
 use crate::pass::Defect;
 use crate::program::{Constant, Expr, Origin, Program, Statement, Var, retain_mut};
-use portable::{Binary, Intrinsic, Literal, RealKind, nearly_half};
+use portable::{Binary, Intrinsic, Literal, RealKind};
 
 /// The program without that operation; the printer rejects one inside another expression.
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
@@ -24,14 +24,19 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
         program.constants.push(Constant {
             path: "nearly_half".to_owned(),
             doc: "largest number below 1/2, added before truncation in order to round",
-            value: match real {
-                RealKind::F64 => Literal::F64(nearly_half()),
-                RealKind::F32 => Literal::F32(nearly_half()),
-            },
+            value: nearly_half(real),
             origin: Origin::Function,
         });
     }
     Ok(program)
+}
+
+/// The largest number below 1/2.
+pub fn nearly_half(real: RealKind) -> Literal {
+    match real {
+        RealKind::F64 => Literal::F64(portable::nearly_half()),
+        RealKind::F32 => Literal::F32(portable::nearly_half()),
+    }
 }
 
 fn spelled_out(target: Var, x: Expr, real: RealKind, half: Var) -> Statement {

@@ -7,10 +7,11 @@ pub(super) mod names;
 pub(super) mod runner;
 
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
-use super::{BlockIdentity, File, TargetBlock, bits, nearly_half, rendered};
+use super::{BlockIdentity, File, TargetBlock, bits, rendered};
 use crate::blocks::IPC;
 use crate::exercise::SelfTest;
 use askama::Template;
+use compiler::legalise::nearly_half;
 use compiler::print::{Appearance, Printer, c::LANGUAGE, comment};
 use compiler::program::{Expr, Program, Row, Statement, Type, Var};
 use exercise::CExercise;

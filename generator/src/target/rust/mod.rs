@@ -4,11 +4,12 @@ pub(super) mod library;
 mod public;
 
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
-use super::{BlockIdentity, File, TargetBlock, bits, block_name, nearly_half, rendered};
+use super::{BlockIdentity, File, TargetBlock, bits, block_name, rendered};
 use crate::blocks::IPC;
 use crate::exercise::{Exercise, Noise, SelfTest};
 use askama::Template;
 use compiler::interp::Machine;
+use compiler::legalise::nearly_half;
 use compiler::print::rust::LANGUAGE;
 use compiler::print::{Appearance, Printer, comment, signals};
 use compiler::program::{Expr, Program, Statement, Type, Var, Variable};
