@@ -1,8 +1,9 @@
 //! Files that are read with a warning; the expected text is in `doubtful.txt`.
 
 use super::plant::{complex, decibels, degrees, delay, lines, open_plant, velocity_loop};
-use super::{COMMAND, said, table};
+use super::{COMMAND, CYCLE_TIME, read_text, said, table};
 use generator::response_file::From;
+use stability::{Band, Controller, Drive, Loop, Points};
 use std::f64::consts::TAU;
 
 fn parts(hz: &[f64], end: &str) -> String {
@@ -43,6 +44,13 @@ fn files() -> Vec<(&'static str, From, String)> {
             COMMAND,
             table("f;gain;phase;se [dB]", &lines(), |hz| format!("{:.9};{:.9};0.01", decibels(p(hz)), degrees(p(hz)))),
         ),
+        (
+            "lowest lines that say nothing",
+            COMMAND,
+            table("f [Hz];re;im;se", &lines(), |hz| {
+                format!("{:.9};{:.9};{}", p(hz).re, p(hz).im, if hz < 3.0 { 0.6 } else { 0.001 })
+            }),
+        ),
         ("as slow as a position loop", COMMAND, slow),
         ("a speed loop near -1", From::Current { kp: 3.8, tn: 0.02, delay: 2e-3 }, plant),
     ]
@@ -54,4 +62,35 @@ fn each_doubt_is_said_once() {
     let found: String = all.iter().map(|(name, said)| format!("> {name}\n{said}\n")).collect();
     assert!(!found.contains("error["), "{found}");
     transcript::equals(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/response_file/doubtful.txt"), &found);
+}
+
+/// A loop with Kv 20/s and a band-pass keeps its margins if the lines below 3 Hz are noise: a motor follows slow commands.
+#[test]
+fn noise_at_the_lowest_lines_changes_no_margin() {
+    let of = |noise: f64| {
+        let text = table("f [Hz];re;im;se", &lines(), |hz| {
+            let noise = if hz < 3.0 { noise } else { 0.0 };
+            let p = velocity_loop(hz) + complex(1.5 * libm::sin(7.0 * hz), libm::cos(11.0 * hz)) * noise;
+            format!("{:.9};{:.9};{}", p.re, p.im, 0.001 + noise)
+        });
+        let response = read_text(&text).unwrap().response;
+        let centre = libm::tan(TAU / 2.0 * 53.0 * CYCLE_TIME);
+        let stage = |t: f64| complex(0.0, -0.1 * t * centre) / complex(centre * centre - t * t, 0.1 * t * centre);
+        let controller = Controller {
+            cycle_time: CYCLE_TIME,
+            weight: [0.8, 0.0, 0.0],
+            stage: Box::new(move |t| [stage(t), complex(0.0, 0.0), complex(0.0, 0.0)]),
+            bands: vec![Band { centre: 53.0, width: 5.3 }],
+            position_gain: Some(20.0),
+            gain_in_drive: None,
+        };
+        let drives = [Drive::Measured(&response)];
+        let points = Points::new(controller, &drives);
+        let closed = Loop::new(&points, drives[0]);
+        (closed.margins(), closed.largest_weights(0))
+    };
+    let ((exact, largest), (noisy, with_noise)) = (of(0.0), of(1.0));
+    assert!(exact.stable && largest[1] > 0.1, "{exact:?} {largest:?}");
+    assert!((exact.ms.unwrap()[0] / noisy.ms.unwrap()[0] - 1.0).abs() < 0.01, "{exact:?} {noisy:?}");
+    assert!(largest.iter().zip(with_noise).all(|(a, b)| (a / b - 1.0).abs() < 0.01), "{largest:?} {with_noise:?}");
 }
