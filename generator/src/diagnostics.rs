@@ -23,7 +23,7 @@ impl Slashes for Path {
     }
 }
 
-fn with_slashes(path: &str, separator: char) -> String {
+pub fn with_slashes(path: &str, separator: char) -> String {
     path.replace(separator, "/")
 }
 
@@ -164,16 +164,5 @@ impl From<Diagnostic> for Report {
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.diagnostics.iter().try_for_each(|diagnostic| writeln!(f, "{diagnostic}"))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn paths_of_any_host_have_one_separator() {
-        assert_eq!(with_slashes(r"\\server\share\axes/lists\x 1.lis", '\\'), "//server/share/axes/lists/x 1.lis");
-        assert_eq!(with_slashes(r"a\b/c", '/'), r"a\b/c");
     }
 }

@@ -21,7 +21,7 @@ pub mod codes;
 mod commissioning;
 pub mod config;
 #[deny(clippy::wildcard_enum_match_arm)]
-mod design;
+pub mod design;
 pub mod diagnostics;
 pub mod diff;
 pub mod digest;
@@ -48,7 +48,3 @@ pub mod target;
 pub mod trace;
 pub mod write;
 mod xml;
-
-#[cfg(test)]
-#[path = "../unit/mod.rs"]
-mod unit;

@@ -26,7 +26,7 @@ pub(crate) fn pair(old: f64, new: f64, digits: u32) -> String {
 const ZEROS: &str = "00000000000";
 
 /// A number with N significant digits, no trailing zeros.
-pub(crate) fn significant(value: f64, digits: u32) -> String {
+pub fn significant(value: f64, digits: u32) -> String {
     if !value.is_finite() {
         return value.to_string();
     }

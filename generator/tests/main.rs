@@ -7,6 +7,7 @@ mod config;
 mod excitation;
 mod file_forms;
 mod generated;
+mod inside;
 mod real_files;
 mod response_file;
 mod structured_text;

@@ -21,7 +21,7 @@ function* filesBelow(folder) {
 
 /** Of the sets and lists of the repository one of `every`. */
 export function subjects(every) {
-  const all = ["golden/cases", "examples", "tests", "generator/tests", "generator/unit"].flatMap((folder) => [
+  const all = ["golden/cases", "examples", "tests", "generator/tests"].flatMap((folder) => [
     ...filesBelow(join(root, folder)),
   ]);
   const isSet = (path) => path.endsWith(".toml") && /^\s*\[axis\./m.test(readFileSync(path, "utf8"));

@@ -14,7 +14,7 @@ use reference::ipc::STAGES;
 pub struct Designed {
     pub axis: Axis,
     /// the stages of improved position control; an inactive one is `None`
-    pub(crate) stage: [Option<StageDesign>; STAGES],
+    pub stage: [Option<StageDesign>; STAGES],
     pub ipc: reference::ipc::Coeffs<f64>,
     /// the structure id and the set number of its parameters; 0 if it takes no sets
     pub sets: [u32; 2],

@@ -16,7 +16,7 @@ mod designed;
 mod effects;
 pub(crate) mod excitation;
 pub(crate) mod feedforward;
-pub(crate) mod ipc;
+pub mod ipc;
 mod kind;
 pub(crate) mod position_control;
 mod products;

@@ -13,7 +13,7 @@ pub(crate) fn nearest<'c>(name: &str, candidates: impl Iterator<Item = &'c str>)
 }
 
 /// The candidates with the fewest differing letters, if they are few, in their order.
-pub(crate) fn all_nearest<'c>(name: &str, candidates: impl Iterator<Item = &'c str>) -> Vec<&'c str> {
+pub fn all_nearest<'c>(name: &str, candidates: impl Iterator<Item = &'c str>) -> Vec<&'c str> {
     let few = 1 + name.len() / 4;
     let name = Letters::new(name);
     let near = candidates.filter_map(|candidate| Some((distance(name, Letters::new(candidate), few)?, candidate)));
@@ -326,27 +326,4 @@ fn distance(a: Letters<'_>, b: Letters<'_>, most: usize) -> Option<usize> {
 fn at_least(a: &[u8; 32], b: &[u8; 32]) -> u32 {
     let more = |a: &[u8; 32], b: &[u8; 32]| a.iter().zip(b).map(|(a, b)| u32::from(a.saturating_sub(*b))).sum::<u32>();
     more(a, b).max(more(b, a))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::unit::sets::Random;
-
-    /// Compares random names with the definition: no filter may reject a near name.
-    #[test]
-    fn distances() {
-        let mut random = Random(1);
-        for _ in 0..20_000 {
-            let [a, b] = [(); 2].map(|()| {
-                let length = random.below(9);
-                (0..length).map(|_| char::from(b"abAB_1q"[random.below(7)])).collect::<String>()
-            });
-            let expected = strsim::osa_distance(&a.to_ascii_lowercase(), &b.to_ascii_lowercase());
-            for most in 0..9 {
-                let found = distance(Letters::new(&a), Letters::new(&b), most);
-                assert_eq!(found, Some(expected).filter(|d| *d <= most), "{a} {b} {most}");
-            }
-        }
-    }
 }

@@ -20,7 +20,7 @@
 //! ```
 
 pub(crate) mod axis_name;
-pub(crate) mod closest;
+pub mod closest;
 pub(crate) mod encoding;
 pub(crate) mod file;
 pub(crate) mod given;

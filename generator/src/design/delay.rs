@@ -6,7 +6,7 @@ use reference::delay::{Coeffs, LONGEST};
 ///
 /// # Panics
 /// If the delay has six cycles or more, which the check excludes.
-pub(crate) fn delay(us: u32, cycle_time_ns: u32) -> Coeffs<f64> {
+pub fn delay(us: u32, cycle_time_ns: u32) -> Coeffs<f64> {
     let (ns, cycle) = (u64::from(us) * 1000, u64::from(cycle_time_ns));
     let whole = usize::try_from(ns / cycle).expect("design: the check lets no long delay through");
     assert!(whole < LONGEST, "design: the check lets no delay of {whole} cycles through");
@@ -19,7 +19,7 @@ pub(crate) fn delay(us: u32, cycle_time_ns: u32) -> Coeffs<f64> {
 ///
 /// # Panics
 /// If there are more cycles than a number can count.
-pub(crate) fn whole(cycles: u32) -> Coeffs<f64> {
+pub fn whole(cycles: u32) -> Coeffs<f64> {
     let whole = usize::try_from(cycles).expect("design: a few cycles");
     Coeffs { whole, fractional: false, now: 1.0, before: 0.0 }
 }

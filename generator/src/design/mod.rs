@@ -4,9 +4,9 @@
 //! Everything is computed in f64 with the `libm` crate, so that every host gets the same bits. A coefficient is rounded
 //! once, in `rounding`.
 
-pub(crate) mod band;
-pub(crate) mod delay;
-pub(crate) mod response;
-pub(crate) mod rounding;
-pub(crate) mod scale;
+pub mod band;
+pub mod delay;
+pub mod response;
+pub mod rounding;
+pub mod scale;
 pub(crate) mod trapezoidal;

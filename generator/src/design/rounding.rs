@@ -6,7 +6,7 @@ use reference::signal;
 /// The value with every real rounded once to the real type of `To`: [`Real::lit`]. `From` and `To` are one portable type
 /// with two real types.
 /// types.
-pub(crate) fn rounded<From: Portable, To: Portable>(value: &From, real: RealKind) -> To {
+pub fn rounded<From: Portable, To: Portable>(value: &From, real: RealKind) -> To {
     let mut leaves = Vec::new();
     value.visit(&mut |leaf| {
         leaves.push(match (leaf, real) {
@@ -19,17 +19,17 @@ pub(crate) fn rounded<From: Portable, To: Portable>(value: &From, real: RealKind
 }
 
 /// A number of double precision, rounded to the real type.
-pub(crate) fn in_precision(value: f64, real: RealKind) -> f64 {
+pub fn in_precision(value: f64, real: RealKind) -> f64 {
     if real == RealKind::F64 { value } else { f32::lit(value).into() }
 }
 
 /// A number of double precision, rounded to the real type, as a literal.
-pub(crate) fn literal(value: f64, real: RealKind) -> Literal {
+pub fn literal(value: f64, real: RealKind) -> Literal {
     if real == RealKind::F64 { Literal::F64(value) } else { Literal::F32(f32::lit(value)) }
 }
 
 /// The smallest number of a real type that is at least the given positive number.
-pub(crate) fn at_least(value: f64, real: RealKind) -> Literal {
+pub fn at_least(value: f64, real: RealKind) -> Literal {
     let near = f32::lit(value);
     match real {
         RealKind::F64 => Literal::F64(value),
@@ -38,16 +38,16 @@ pub(crate) fn at_least(value: f64, real: RealKind) -> Literal {
 }
 
 /// The largest number of a real type.
-pub(crate) fn largest(real: RealKind) -> f64 {
+pub fn largest(real: RealKind) -> f64 {
     if real == RealKind::F64 { f64::MAX } else { f32::MAX.into() }
 }
 
 /// The largest magnitude of a sample that a block accepts.
-pub(crate) fn sample_limit(real: RealKind) -> f64 {
+pub fn sample_limit(real: RealKind) -> f64 {
     if real == RealKind::F64 { signal::sample_limit() } else { signal::sample_limit::<f32>().into() }
 }
 
 /// The name of a real type's precision.
-pub(crate) fn precision(real: RealKind) -> &'static str {
+pub fn precision(real: RealKind) -> &'static str {
     if real == RealKind::F64 { "double" } else { "single" }
 }

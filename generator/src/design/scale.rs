@@ -11,7 +11,7 @@ use reference::process_data;
 /// ```
 ///
 /// (P-AXIS-00205 to 00207). The numerator is exact up to 2^53, so that there is one rounding.
-pub(crate) fn velocity(velocity: &Velocity, cycle_time_ns: u32) -> f64 {
+pub fn velocity(velocity: &Velocity, cycle_time_ns: u32) -> f64 {
     let (num, denom) = (f64::from(velocity.reso.num), f64::from(velocity.reso.denom));
     match velocity.time_base {
         TimeBase::Minute => num * 60.0 / denom,
@@ -21,7 +21,7 @@ pub(crate) fn velocity(velocity: &Velocity, cycle_time_ns: u32) -> f64 {
 }
 
 /// Manipulated variable: increments for 1 um/s or 0.001 deg/s, `60e-6 multi_gain_z / multi_gain_n` (P-AXIS-00129/00128).
-pub(crate) fn manipulated(multi_gain: Ratio) -> f64 {
+pub fn manipulated(multi_gain: Ratio) -> f64 {
     f64::from(multi_gain.num) * 60.0 / (f64::from(multi_gain.denom) * 1e6)
 }
 
@@ -33,7 +33,7 @@ pub(crate) fn manipulated(multi_gain: Ratio) -> f64 {
 /// ```
 ///
 /// (P-AXIS-00092, 00233, 00234, 00362, 00363). A feed constant is given where one of its parameters is not 1.
-pub(crate) fn resolution(resolution: &Resolution) -> f64 {
+pub fn resolution(resolution: &Resolution) -> f64 {
     let (wegauf, feed) = (resolution.wegauf, resolution.feed_const);
     if !resolution.has_feed_const() {
         return wegauf.value();
@@ -44,7 +44,7 @@ pub(crate) fn resolution(resolution: &Resolution) -> f64 {
 
 /// Angular acceleration of the motor for an acceleration of 1 um/s^2 or 0.001 deg/s^2 [rad/s^2]:
 /// `alpha = 10 a R / incr_per_rev 2 pi`, with a in um/s^2.
-pub(crate) fn angular_acceleration(of: &Resolution) -> f64 {
+pub fn angular_acceleration(of: &Resolution) -> f64 {
     10.0 * resolution(of) / f64::from(of.incr_per_rev) * 2.0 * std::f64::consts::PI
 }
 
@@ -56,7 +56,7 @@ pub(crate) fn angular_acceleration(of: &Resolution) -> f64 {
 /// ```
 ///
 /// (P-AXIS-00391, 00392, 00325, 00326), before it is weighted.
-pub(crate) fn torque(torque: &Torque) -> f64 {
+pub fn torque(torque: &Torque) -> f64 {
     let per_acceleration = match torque.motor {
         Motor::Rotary => torque.load * angular_acceleration(&torque.resolution),
         Motor::Linear => torque.load * 1e-6,
@@ -68,7 +68,7 @@ pub(crate) fn torque(torque: &Torque) -> f64 {
 ///
 /// The limits are the outermost numbers of the real type that are rounded to its boundaries, so that no number within them is
 /// rounded beyond. In single precision they differ from the boundaries: 2147483647 itself would become 2^31.
-pub(crate) fn range(width: Width, real: RealKind) -> process_data::Coeffs<f64> {
+pub fn range(width: Width, real: RealKind) -> process_data::Coeffs<f64> {
     let [lowest, highest] = width.range();
     let upper_limit = below(f64::from(highest) + 0.5, real);
     let lower_limit = 0.0 - below(0.5 - f64::from(lowest), real);
@@ -76,7 +76,7 @@ pub(crate) fn range(width: Width, real: RealKind) -> process_data::Coeffs<f64> {
 }
 
 /// The largest number of the real type below a boundary.
-pub(crate) fn below(boundary: f64, real: RealKind) -> f64 {
+pub fn below(boundary: f64, real: RealKind) -> f64 {
     match (real, f32::lit(boundary)) {
         (RealKind::F64, _) => boundary.next_down(),
         (RealKind::F32, nearest) if f64::from(nearest) < boundary => nearest.into(),

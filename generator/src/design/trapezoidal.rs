@@ -4,7 +4,7 @@ use super::response::Complex;
 
 /// `u = a p - b s1; s1' = s1 + u; bp = s1 + s1'; low = low + c bp`, p = x - low.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Trapezoidal {
+pub struct Trapezoidal {
     pub a: f64,
     pub b: f64,
     pub c: f64,
@@ -15,7 +15,7 @@ pub(crate) struct Trapezoidal {
 
 /// The output of a trapezoidal section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Output {
+pub enum Output {
     /// y = bp
     Bandpass,
     /// y = x - 2 bp

@@ -13,7 +13,7 @@ pub(crate) use c::names::prefix as c_prefix;
 pub use called::of_names;
 pub(crate) use st::listing::set_name as st_set_name;
 pub use st::meanings;
-pub(crate) use st::twincat::Cdata;
+pub use st::twincat::{Cdata, guid};
 
 use crate::blocks::Block;
 use crate::digest::with_checksum;

@@ -17,7 +17,7 @@ use reference::ipc::{Coeffs, STAGES, ride_through, tuning, watch};
 ///   section at rest decays to.
 /// - fade: [`fade_cycles`].
 /// - watch: [`watch`].
-pub(crate) fn design(axis: &Axis) -> ([Option<StageDesign>; STAGES], Coeffs<f64>) {
+pub fn design(axis: &Axis) -> ([Option<StageDesign>; STAGES], Coeffs<f64>) {
     let ipc = &axis.ipc;
     let (limit, fade_cycles) = (ipc.limit(), fade_cycles(axis));
     let stages: [Option<StageDesign>; STAGES] =
@@ -73,7 +73,7 @@ fn watch(axis: &Axis) -> watch::Coeffs<f64> {
 }
 
 /// The part of v_max below which a sum counts as 0, as a power of 2.
-pub(crate) fn rest_exponent(real: RealKind) -> i32 {
+pub fn rest_exponent(real: RealKind) -> i32 {
     if real == RealKind::F64 { -60 } else { -40 }
 }
 
@@ -86,7 +86,7 @@ pub(crate) fn rest_exponent(real: RealKind) -> i32 {
 /// # Panics
 /// If there are more than 2^24 cycles, which the check excludes: beyond, f32 cannot count.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number, 1 to 2^24")]
-pub(crate) fn fade_cycles(axis: &Axis) -> u32 {
+pub fn fade_cycles(axis: &Axis) -> u32 {
     let quotient = axis.ipc.fade_time() * 1e9 / f64::from(axis.cycle_time_ns);
     let nearest = libm::round(quotient);
     let cycles = if (quotient - nearest).abs() <= 1e-9 * quotient { nearest } else { libm::ceil(quotient) };

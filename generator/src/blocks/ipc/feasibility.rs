@@ -9,15 +9,15 @@ use portable::RealKind;
 /// Why a section would endanger the machine.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
-    pub(crate) element: Element,
-    pub(crate) found: String,
-    pub(crate) allowed: String,
-    pub(crate) instead: String,
+    pub element: Element,
+    pub found: String,
+    pub allowed: String,
+    pub instead: String,
 }
 
 /// The largest relative difference between a section's designed centre frequency and that of its rounded coefficients. With
 /// a quality factor of 20 it changes the phase by 2 degrees.
-pub(crate) const MAX_CENTRE_ERROR: f64 = 1e-3;
+pub const MAX_CENTRE_ERROR: f64 = 1e-3;
 
 /// Reports the sections that rounding makes unusable, at the parameter that each depends on.
 pub(crate) fn validate(designed: &Designed, e: &mut Effective<'_>) {
@@ -40,7 +40,7 @@ pub fn refusals(designed: &Designed) -> Vec<Refusal> {
 }
 
 /// The refused sections of a stage.
-pub(crate) fn refusals_of(stage: &StageDesign, real: RealKind) -> Vec<Refusal> {
+pub fn refusals_of(stage: &StageDesign, real: RealKind) -> Vec<Refusal> {
     stage.section.iter().filter_map(|section| refusal(section, real, stage.cycle_time)).collect()
 }
 

@@ -2,15 +2,15 @@
 
 pub(crate) mod advice;
 mod calmer;
-pub(crate) mod certificate;
+pub mod certificate;
 pub(crate) mod check;
 pub(crate) mod closed_loop;
-pub(crate) mod design;
+pub mod design;
 mod details;
 mod diff;
 pub(crate) mod drive_model;
 pub(crate) mod drive_response;
-pub(crate) mod feasibility;
+pub mod feasibility;
 pub(crate) mod filter;
 mod never_acts;
 pub(crate) mod notes;
@@ -18,7 +18,7 @@ mod phase;
 pub(crate) mod row;
 mod set_point;
 pub(crate) mod sets;
-pub(crate) mod stage;
+pub mod stage;
 mod unstable;
 mod usual;
 pub(super) mod with_sets;

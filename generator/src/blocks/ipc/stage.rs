@@ -16,7 +16,7 @@ use std::fmt;
 
 /// An active stage.
 #[derive(Clone, Debug)]
-pub(crate) struct StageDesign {
+pub struct StageDesign {
     pub index: usize,
     /// its parameters
     pub stage: Stage,
@@ -35,7 +35,7 @@ pub(crate) struct StageDesign {
 
 /// A second-order section.
 #[derive(Clone, Debug)]
-pub(crate) struct Section {
+pub struct Section {
     pub element: Element,
     pub shape: Shape<f64>,
     /// denominator 1 + a1 z^-1 + a2 z^-2 of the biquad, for double precision
@@ -48,7 +48,7 @@ pub(crate) struct Section {
 
 /// The place of a section.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Element {
+pub struct Element {
     pub stage: usize,
     /// `None` for the simulated oscillation
     pub filter: Option<Place>,
@@ -56,7 +56,7 @@ pub(crate) struct Element {
 
 /// The place of a section within a filter.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Place {
+pub struct Place {
     pub filter: usize,
     /// in the order of their execution
     pub section: usize,
@@ -77,14 +77,14 @@ impl fmt::Display for Element {
 
 impl Element {
     /// Path in the state: `stage[0].filter[1].section[2]`.
-    pub(crate) fn in_state(&self) -> String {
+    pub fn in_state(&self) -> String {
         let Some(Place { filter, section, .. }) = &self.filter else { return self.to_string() };
         format!("stage[{}].filter[{filter}].section[{section}]", self.stage)
     }
 }
 
 /// A stage at the cycle time [s]: structure and inputs from its parameters, numbers from [`portable_design`].
-pub(crate) fn stage(index: usize, of: &Stage, cycle_time: f64) -> StageDesign {
+pub fn stage(index: usize, of: &Stage, cycle_time: f64) -> StageDesign {
     let (mode, direct_source) = match of.mode {
         Mode::Direct { source: DirectSource::Motor } => (stage::Mode::Direct, stage::DirectSource::Motor),
         Mode::Direct { source: DirectSource::Direct } => (stage::Mode::Direct, stage::DirectSource::Direct),

@@ -9,7 +9,7 @@ use compiler::program::{Program, Type};
 use portable::RealKind;
 
 /// A stage as measured: `gain * section[n-1](... section[0](x))`.
-pub(crate) struct Chain {
+pub struct Chain {
     /// its input, as a position in the program
     pub input: usize,
     /// the sections, in the order of their execution
@@ -20,7 +20,7 @@ pub(crate) struct Chain {
 
 /// The chains of stages. `limit` is that of the block: outputs are measured where it does not act. A program of single
 /// precision is measured in double precision, which shows the effect of its rounded coefficients.
-pub(crate) fn measure(program: &Program, stages: &[&StageDesign], limit: f64) -> Vec<Chain> {
+pub fn measure(program: &Program, stages: &[&StageDesign], limit: f64) -> Vec<Chain> {
     let wide = widened(program);
     let mut probe = Probe::new(&wide, program.real, limit);
     let inputs = (0..program.inputs.len()).filter(|input| program.inputs[*input].ty == Type::Real);
@@ -39,7 +39,7 @@ pub(crate) fn measure(program: &Program, stages: &[&StageDesign], limit: f64) ->
 }
 
 /// The place of a section in the state.
-pub(crate) struct Place {
+pub struct Place {
     /// the two values of its state
     pub s: [usize; 2],
     /// whether the second one is driven by the change of the input
@@ -47,7 +47,7 @@ pub(crate) struct Place {
 }
 
 /// The place of a section in the state: s1 and s2 of a biquad, s1 and p or low of a trapezoidal section.
-pub(crate) fn place(program: &Program, section: &stage::Section) -> Place {
+pub fn place(program: &Program, section: &stage::Section) -> Place {
     let stem = section.element.in_state();
     let at = |name| {
         let path = format!("{stem}.{name}");

@@ -8,7 +8,7 @@ use crate::number::digits;
 use portable::Extreme;
 
 /// The lines: the range, the response of each stage at each of its band-passes, the largest deviation.
-pub(crate) fn lines(certificate: &Certificate) -> Vec<String> {
+pub fn lines(certificate: &Certificate) -> Vec<String> {
     let mut lines = vec![range(certificate)];
     let shown = certificate.response.iter().filter(|band| band.is_shown);
     lines.extend(shown.map(|band| response(band.stage, &band.points)));
@@ -23,7 +23,7 @@ pub(crate) fn lines(certificate: &Certificate) -> Vec<String> {
 }
 
 /// The proven bound of the sum before the limit; `None` if the block adds nothing, or if no bound is proven.
-pub(crate) fn figure(certificate: &Certificate) -> Option<Figure> {
+pub fn figure(certificate: &Certificate) -> Option<Figure> {
     let Certificate { real, unit, v_max, limit, bound, .. } = certificate;
     let value = bound.v_sum * v_max;
     let doc = format!("guaranteed bound of |v_add| before the limit, for |v| <= {} [{unit}]", digits(*v_max));

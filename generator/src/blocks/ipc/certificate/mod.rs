@@ -2,14 +2,14 @@
 //!
 //! Nothing here decides anything. No coefficient is taken from the design, except to compare with it.
 
-pub(crate) mod chain;
+pub mod chain;
 mod free;
 mod lines;
-pub(crate) mod noise;
-pub(crate) mod norm;
-pub(crate) mod probe;
+pub mod noise;
+pub mod norm;
+pub mod probe;
 mod response;
-pub(crate) mod section;
+pub mod section;
 mod widened;
 
 use super::filter::{self, FilterDesign};
@@ -20,14 +20,14 @@ use crate::number::digits;
 use crate::{axis::Axis, blocks::designed::Designed};
 use compiler::pass::Defect;
 use compiler::program::Program;
-pub(crate) use lines::{figure, lines};
+pub use lines::{figure, lines};
 use portable::Extreme;
 use portable::RealKind;
 pub(crate) use response::designed;
 use response::{Band, Point};
 
 /// The proven properties of a block.
-pub(crate) struct Certificate {
+pub struct Certificate {
     pub real: RealKind,
     /// unit of the velocities
     pub unit: &'static str,
@@ -51,7 +51,7 @@ pub(crate) struct Certificate {
 ///
 /// # Panics
 /// If the program is not the block `ipc` of this axis.
-pub(crate) fn certify(designed: &Designed, program: &Program) -> Certificate {
+pub fn certify(designed: &Designed, program: &Program) -> Certificate {
     let Axis { real, ipc, .. } = &designed.axis;
     let stages: Vec<&StageDesign> = designed.stage.iter().flatten().collect();
     let chains = chain::measure(program, &stages, ipc.limit());
@@ -72,7 +72,7 @@ pub(crate) fn certify(designed: &Designed, program: &Program) -> Certificate {
 
 impl Certificate {
     /// The largest |measured - designed| / |designed| of the points that are shown; `None` if nothing was measured.
-    pub(crate) fn deviation(&self) -> Option<f64> {
+    pub fn deviation(&self) -> Option<f64> {
         let shown = self.response.iter().filter(|band| band.is_shown);
         shown.flat_map(|band| &band.points).map(Point::deviation).max_by(f64::total_cmp)
     }
@@ -81,7 +81,7 @@ impl Certificate {
     ///
     /// # Errors
     /// The stage, its frequency, how far it deviates: a defect of the design, of the reference or of a pass.
-    pub(crate) fn refuse(&self, designed: &Designed) -> Result<(), Defect> {
+    pub fn refuse(&self, designed: &Designed) -> Result<(), Defect> {
         for Band { stage, points, .. } in &self.response {
             let Some(design) = &designed.stage[*stage] else { continue };
             let allowed = largest_defect(design, self.real);
@@ -110,7 +110,7 @@ impl Certificate {
 /// The largest deviation of a response apart from the rounding of coefficients to single precision: 1e-6. In double
 /// precision it includes the rounding of coefficients, because biquads have 1 + a1 + a2 = 4 g^2: a centre moves by a part of
 /// 2^-52 / g^2, and the phase at the edge of a band of quality Q by Q times that, in each of its sections.
-pub(crate) fn largest_defect(design: &StageDesign, real: RealKind) -> f64 {
+pub fn largest_defect(design: &StageDesign, real: RealKind) -> f64 {
     let moved = |g: f64| match real {
         RealKind::F64 => 4.0 * f64::EPSILON / (g * g),
         RealKind::F32 => 0.0,

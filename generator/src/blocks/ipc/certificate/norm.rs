@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 
 /// Largest magnitudes for inputs within +-1; infinite if no bound is proven.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Bound {
+pub struct Bound {
     /// of any state of a section
     pub state: f64,
     /// of the sum before the limit
@@ -19,7 +19,7 @@ pub(crate) struct Bound {
 }
 
 /// Limit of samples times sections that are added up: some 50 us for any parameters.
-pub(crate) const BUDGET: usize = 8_192;
+pub const BUDGET: usize = 8_192;
 /// Longest time constant for which samples are added up, as a part of the budget.
 const LONG: f64 = 0.5;
 /// Samples from one check of the rest to the next.
@@ -33,7 +33,7 @@ const SLACK: f64 = 1e-6;
 ///
 /// A block starts in the steady state of its input. An input that was constant for ever leads to that state, so every bound
 /// for all sequences of samples also holds from there.
-pub(crate) fn bounds(chains: &[Chain], real: RealKind) -> Bound {
+pub fn bounds(chains: &[Chain], real: RealKind) -> Bound {
     let sections: usize = chains.iter().map(|chain| chain.section.len()).sum();
     let budget = BUDGET / sections.max(1);
     let runs: Vec<Run> = chains.iter().map(|chain| run(chain, budget, real)).collect();
@@ -52,7 +52,7 @@ pub(crate) fn bounds(chains: &[Chain], real: RealKind) -> Bound {
 }
 
 /// The response of one stage to an impulse.
-pub(crate) struct Run {
+pub struct Run {
     /// v_stage, as far as it was added up
     pub response: Vec<f64>,
     /// bound of the sum of all |v_stage| after that
@@ -73,7 +73,7 @@ struct Sums {
     sum: [f64; 2],
 }
 
-pub(crate) fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
+pub fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
     let sums = |section: &Section| {
         let free = free::bounds(&section.denominator());
         let driven = section.driven(&free);

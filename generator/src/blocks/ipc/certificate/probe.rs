@@ -11,7 +11,7 @@ use portable::Extreme;
 use portable::{Literal, RealKind};
 
 /// The variable that is 1 before a step; all others are 0. Variables and inputs by their positions in the program.
-pub(crate) enum Source {
+pub enum Source {
     /// a variable of the state
     State(usize),
     Input(usize),
@@ -20,7 +20,7 @@ pub(crate) enum Source {
 }
 
 /// A machine for single steps.
-pub(crate) struct Probe<'p> {
+pub struct Probe<'p> {
     machine: Machine<'p>,
     real: RealKind,
     /// the real type of the block, which bounds its samples
@@ -43,7 +43,7 @@ impl<'p> Probe<'p> {
     ///
     /// # Panics
     /// If the program is not the block `ipc`.
-    pub(crate) fn new(program: &'p Program, samples: RealKind, limit: f64) -> Self {
+    pub fn new(program: &'p Program, samples: RealKind, limit: f64) -> Self {
         let at = |variables: &[Variable], path| {
             let found = variables.iter().position(|variable| variable.path == path);
             found.unwrap_or_else(|| panic!("certificate: the block has no {path}"))
@@ -70,7 +70,7 @@ impl<'p> Probe<'p> {
     }
 
     /// The state after one step, for a source of 1.
-    pub(crate) fn column(&mut self, source: &Source) -> Vec<f64> {
+    pub fn column(&mut self, source: &Source) -> Vec<f64> {
         let amplitude = self.large();
         self.step(source, amplitude);
         let of = |(value, still): (&Literal, &f64)| (number(*value) - still) / amplitude;
@@ -78,7 +78,7 @@ impl<'p> Probe<'p> {
     }
 
     /// The output of the step for a source of 1, measured where neither the limit nor the suppression of small sums acts.
-    pub(crate) fn output(&mut self, source: &Source) -> f64 {
+    pub fn output(&mut self, source: &Source) -> f64 {
         if self.limit <= 0.0 {
             return 0.0;
         }

@@ -14,7 +14,7 @@ use portable::Extreme;
 use portable::RealKind;
 
 /// The response of a stage at one frequency, from its input velocity to its output.
-pub(crate) struct Point {
+pub struct Point {
     /// frequency [Hz]
     pub frequency: f64,
     /// from the formulas
@@ -33,7 +33,7 @@ impl Point {
 
     /// The deviation without the rounding to single precision: from the formulas to the coefficients, and from the rounded
     /// coefficients to the block.
-    pub(crate) fn defect(&self) -> f64 {
+    pub fn defect(&self) -> f64 {
         match self.single {
             None => self.deviation(),
             Some([exact, rounded]) => relative(exact, self.designed).larger(relative(self.measured, rounded)),
@@ -42,7 +42,7 @@ impl Point {
 }
 
 /// The response of a stage about one of its filters.
-pub(crate) struct Band {
+pub struct Band {
     /// the index of the stage
     pub stage: usize,
     /// whether the filter is selective: its points are shown

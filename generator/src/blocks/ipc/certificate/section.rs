@@ -7,7 +7,7 @@ use portable::Extreme;
 
 /// A section as measured.
 #[derive(Clone, Copy)]
-pub(crate) enum Section {
+pub enum Section {
     Biquad(Biquad),
     Trapezoidal(Trapezoidal),
 }
@@ -15,7 +15,7 @@ pub(crate) enum Section {
 /// `y = s1 + b0 x; s1 = s2 - a1 s1 + from_x[0] x; s2 = from_x[1] x - a2 s1`, with the old values on the right. In terms of
 /// the coefficients, `from_x` is `[b1 - a1 b0, b2 - a2 b0]`.
 #[derive(Clone, Copy)]
-pub(crate) struct Biquad {
+pub struct Biquad {
     pub b0: f64,
     pub a1: f64,
     pub a2: f64,
@@ -47,7 +47,7 @@ impl Section {
 
     /// One step. The state is s1 and s2, or s1 and low.
     #[inline]
-    pub(crate) fn step(&self, s: &mut [f64; 2], x: f64) -> f64 {
+    pub fn step(&self, s: &mut [f64; 2], x: f64) -> f64 {
         match self {
             Self::Biquad(Biquad { b0, a1, a2, from_x }) => {
                 let y = s[0] + b0 * x;

@@ -5,7 +5,7 @@ use crate::design::band::Band;
 
 /// A filter and its edges.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct FilterDesign {
+pub struct FilterDesign {
     pub index: usize,
     pub filter: Filter,
     pub band: Band,

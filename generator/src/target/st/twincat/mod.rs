@@ -100,7 +100,7 @@ pub(super) fn in_range(real: RealKind) -> TcInRange<'static> {
 }
 
 /// The GUID of an object of some kind, in braces: version 5 of `KIND NAME`, so that it is equal in every run.
-fn guid(kind: &str, name: &str) -> String {
+pub fn guid(kind: &str, name: &str) -> String {
     Uuid::new_v5(&NAMESPACE, format!("{kind} {name}").as_bytes()).braced().to_string()
 }
 
@@ -110,7 +110,7 @@ fn rendered(folder: &str, file: &str, template: &impl Template) -> File {
 
 /// The escaper of TwinCAT's files: only the end mark of a CDATA section has to be split.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Cdata;
+pub struct Cdata;
 
 impl Escaper for Cdata {
     fn write_escaped_str<W: Write>(&self, mut to: W, text: &str) -> std::fmt::Result {
@@ -126,7 +126,3 @@ impl Escaper for Cdata {
         })
     }
 }
-
-#[cfg(test)]
-#[path = "../../../../unit/twincat.rs"]
-mod tests;

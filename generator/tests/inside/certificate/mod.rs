@@ -6,10 +6,10 @@ mod lines;
 mod range;
 mod response;
 
-use crate::axis::{Axis, DirectSource, Filter, Mode, Prototype, Stage};
-use crate::blocks::ipc::certificate::{Certificate, certify};
-use crate::blocks::{Block, Designed, blocks};
-use crate::unit::sets::axis;
+use generator::axis::{Axis, DirectSource, Filter, Mode, Prototype, Stage};
+use generator::blocks::ipc::certificate::{Certificate, certify};
+use generator::blocks::{Block, Designed, blocks};
+use crate::inside::sets::axis;
 use portable::RealKind;
 
 fn block(axis: &Axis) -> Block {
@@ -22,7 +22,7 @@ fn certified(axis: &Axis) -> Certificate {
 }
 
 /// The rack-and-pinion example: 53 Hz DIRECT with weight 3, 11 Hz INDIRECT with weight 1.9, cycle 1 ms.
-pub(crate) fn rack_and_pinion(real: RealKind) -> Axis {
+pub fn rack_and_pinion(real: RealKind) -> Axis {
     let filter = |f0, q_factor| {
         [Filter::Bandpass { prototype: Prototype::CritDamping, order: 1, f0, q_factor }, Filter::NoFilter]
     };

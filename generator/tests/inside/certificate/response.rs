@@ -1,10 +1,10 @@
 //! The measured response against the designed one, and what it sees of a wrong block.
 
 use super::{block, certified, one_band_pass, rack_and_pinion};
-use crate::axis::{Axis, Prototype};
-use crate::blocks::Designed;
-use crate::blocks::ipc::certificate::{certify, largest_defect};
-use crate::unit::sets;
+use generator::axis::{Axis, Prototype};
+use generator::blocks::Designed;
+use generator::blocks::ipc::certificate::{certify, largest_defect};
+use crate::inside::sets;
 use portable::{Extreme, Literal, RealKind};
 
 /// Relative tolerances that the definition gives against an independent implementation.
@@ -47,7 +47,7 @@ fn what_rounding_costs_is_a_fifth_of_what_is_refused_at_most() {
         let mut largest: f64 = 0.0;
         for axis in alone(real).chain(sets::axes(300, real)).filter(|axis| axis.ipc.v_add_max_fact > 0) {
             let designed = Designed::from(axis);
-            if !crate::blocks::ipc::feasibility::refusals(&designed).is_empty() {
+            if !generator::blocks::ipc::feasibility::refusals(&designed).is_empty() {
                 continue;
             }
             let certificate = certified(&designed.axis);
@@ -94,7 +94,7 @@ fn a_limit_of_0_is_said_and_nothing_is_measured() {
     let certificate = certified(&axis);
     assert_eq!(certificate.deviation(), None);
     assert!(certificate.bound.state > 1.0);
-    let lines = crate::blocks::ipc::certificate::lines(&certificate);
+    let lines = generator::blocks::ipc::certificate::lines(&certificate);
     assert!(
         lines[0].starts_with("range: the limit is 0, v_add is always 0; |v| <= 530000 um/s gives no |state| above ")
     );

@@ -1,6 +1,6 @@
 //! Numbers with N significant digits: those of the correctly rounded decimal, whatever the way to them.
 
-use crate::number::significant;
+use generator::number::significant;
 
 /// Numbers with few digits, with all of them, on a tie, and at the ends of the range.
 fn numbers() -> impl Iterator<Item = f64> {

@@ -1,8 +1,8 @@
 //! The certificate in words where the golden cases have none.
 
 use super::{certified, rack_and_pinion};
-use crate::axis::Mode;
-use crate::blocks::ipc::certificate::lines;
+use generator::axis::Mode;
+use generator::blocks::ipc::certificate::lines;
 use portable::RealKind;
 
 /// A damping ratio of 1e-7 in single precision: the oscillation is stable, and its roundings may add up without end.

@@ -1,6 +1,6 @@
 //! Random filters, the same in every run. No assertion.
 
-use crate::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Numbers, Prototype, Stage};
+use generator::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Numbers, Prototype, Stage};
 use portable::RealKind;
 
 /// Cycle times [ns].
@@ -8,29 +8,29 @@ const CYCLES: [u32; 7] = [62_500, 125_000, 250_000, 500_000, 1_000_000, 2_000_00
 
 /// A band-pass or an all-pass to be.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Set {
+pub struct Set {
     /// of a band-pass
-    pub(crate) prototype: Prototype,
+    pub prototype: Prototype,
     /// of a band-pass
-    pub(crate) order: usize,
-    pub(crate) f0: f64,
+    pub order: usize,
+    pub f0: f64,
     /// quality factor, 1 to 10
-    pub(crate) q_factor: f64,
+    pub q_factor: f64,
     /// cycle time [ns]
-    pub(crate) cycle_time_ns: u32,
+    pub cycle_time_ns: u32,
     /// f0 Ts, 6e-6 to 0.45
-    pub(crate) product: f64,
+    pub product: f64,
 }
 
 impl Set {
     /// Cycle time [s].
-    pub(crate) fn cycle_time(&self) -> f64 {
+    pub fn cycle_time(&self) -> f64 {
         f64::from(self.cycle_time_ns) / 1e9
     }
 }
 
 /// `count` sets: each prototype and order in turn, f0 Ts evenly in the logarithm, Q evenly.
-pub(crate) fn sets(count: usize) -> impl Iterator<Item = Set> {
+pub fn sets(count: usize) -> impl Iterator<Item = Set> {
     let mut random = Random(0x9E37_79B9_7F4A_7C15);
     (0..count).map(move |i| {
         let prototype = [Prototype::CritDamping, Prototype::Butterworth, Prototype::Bessel][i % 3];
@@ -49,7 +49,7 @@ pub(crate) fn sets(count: usize) -> impl Iterator<Item = Set> {
 
 /// `count` axes of up to three stages: all modes, all kinds of filter, one cycle time for an axis. f0 Ts from 0.01 on, in single
 /// precision from 6e-5 on.
-pub(crate) fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
+pub fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
     let mut random = Random(0xD1B5_4A32_D192_ED03);
     let lowest = if real == RealKind::F32 { 6e-5 } else { 0.01 };
     (0..count).map(move |i| {
@@ -66,7 +66,7 @@ pub(crate) fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
 }
 
 /// An axis with a limit of 530000.
-pub(crate) fn axis(real: RealKind, cycle_time_ns: u32, stage: [Option<Stage>; 3]) -> Axis {
+pub fn axis(real: RealKind, cycle_time_ns: u32, stage: [Option<Stage>; 3]) -> Axis {
     Axis {
         excitation: None,
         short_names: false,
@@ -85,7 +85,7 @@ pub(crate) fn axis(real: RealKind, cycle_time_ns: u32, stage: [Option<Stage>; 3]
             delay_cycles: None,
             stage,
         },
-        control: crate::axis::Control::default(),
+        control: generator::axis::Control::default(),
         canonical: String::new(),
         drive: Default::default(),
         canonical_of: Default::default(),
@@ -128,7 +128,7 @@ fn f0(random: &mut Random, cycle_time_ns: u32, lowest: f64) -> f64 {
 }
 
 /// xorshift64
-pub(crate) struct Random(pub(crate) u64);
+pub struct Random(pub u64);
 
 impl Random {
     fn next(&mut self) -> u64 {
@@ -139,20 +139,20 @@ impl Random {
     }
 
     /// In 0..1.
-    pub(crate) fn unit(&mut self) -> f64 {
+    pub fn unit(&mut self) -> f64 {
         let [high, low] = [self.next() >> 38, self.next() >> 38].map(|bits| u32::try_from(bits).expect("26 bits"));
         (f64::from(high) + f64::from(low) / 67_108_864.0) / 67_108_864.0
     }
 
     /// In 0..`count`.
-    pub(crate) fn below(&mut self, count: usize) -> usize {
+    pub fn below(&mut self, count: usize) -> usize {
         usize::try_from(self.next() >> 33).expect("31 bits") % count
     }
 }
 
 /// Coefficients of a filter at the cycle time [s].
-pub(crate) fn filter(filter: &Filter, cycle_time: f64) -> reference::filter::Coeffs<f64> {
+pub fn filter(filter: &Filter, cycle_time: f64) -> reference::filter::Coeffs<f64> {
     let mode = Mode::Direct { source: DirectSource::Motor };
     let stage = Stage { mode, weight_fact_num: 1, weight_fact_denom: 1, filter: [*filter, Filter::NoFilter] };
-    crate::blocks::ipc::stage::stage(0, &stage, cycle_time).coeffs.filter[0]
+    generator::blocks::ipc::stage::stage(0, &stage, cycle_time).coeffs.filter[0]
 }

@@ -1,13 +1,13 @@
 //! The worked figures of the manual (ISG FCT-D2 "Feedforward control", 4.1 and 4.2) and of the formulas next to it, to the
 //! last digit that they are printed with; what the drive gets is an integer and compared as one.
 
-use crate::axis::{Axis, Enable, Motor, Ratio, Resolution, TimeBase, Torque, Velocity, Width};
-use crate::blocks::{Designed, blocks};
-use crate::config::ListOptions;
-use crate::design::delay::delay as design_delay;
-use crate::design::rounding::rounded;
-use crate::design::scale::{self, angular_acceleration};
-use crate::pipeline::read;
+use generator::axis::{Axis, Enable, Motor, Ratio, Resolution, TimeBase, Torque, Velocity, Width};
+use generator::blocks::{Designed, blocks};
+use generator::config::ListOptions;
+use generator::design::delay::delay as design_delay;
+use generator::design::rounding::rounded;
+use generator::design::scale::{self, angular_acceleration};
+use generator::pipeline::read;
 use portable::{Block, RealKind};
 use reference::feedforward::{Feedforward, Inputs};
 use reference::ipc::{Ipc, mode_dryrun, mode_off, mode_on};
