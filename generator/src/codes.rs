@@ -848,7 +848,8 @@ codes! {
     LOW_F0 = "AX546", "a centre frequency that is probably in kHz",
         "The fade lasts at least one period of the lowest f0: below 0.5 Hz more than 2 s. OFF takes as long. fg_f0 (P-AXIS-00751) \
          is in Hz. If the vibration is as slow as this, nothing is wrong.";
-    UNCERTAIN_LOWEST = "AX547", "lowest lines of a response that are not known",
-        "Two standard errors of the lowest lines are half of their magnitude or more: they contain no information. They are left \
-         out. Below the first line that is used the response goes to 1 at 0 Hz, because a motor follows slow commands.";
+    SLOW_UNCERTAIN = "AX547", "slow lines of a response that are not known",
+        "At a fifth of the lowest f0 and below no stage acts. Lines whose two standard errors are half of their magnitude or more \
+         are left out there: with them every weight would count as unstable. A curve through the other lines replaces them, which \
+         goes to 1 at 0 Hz, because a motor follows slow commands.";
 }

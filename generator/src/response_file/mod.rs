@@ -154,6 +154,7 @@ pub fn read(file: &str, bytes: &[u8], from: From, cycle_time: f64, bands: &[Band
     without_errors.into_iter().for_each(|warning| said.push(warning));
     reach::check(&points, &lines, bands, &mut said);
     said.usable(())?;
+    let points = reach::with_information(points, bands, &mut said);
     let hz: Vec<f64> = points.iter().map(|point| point.hz).collect();
     let values: Vec<Complex64> = points.iter().map(|point| point.response).collect();
     let absolute: Vec<f64> = points.iter().map(|point| point.error * magnitude(point.response)).collect();

@@ -6,14 +6,15 @@ use super::{Band, Point, Said};
 use crate::codes;
 use crate::number::{decimals, significant};
 use portable::Extreme;
-use stability::{NOTHING, uncertain_lowest};
 
+/// Two standard errors of a magnitude from which a response contains no information.
+const NOTHING: f64 = 0.5;
+/// Below this part of the lowest f0 a stage hardly acts.
+const SLOW: f64 = 0.2;
 /// The coherence at which four averages, the usual minimum, contain no information.
 const LOW_COHERENCE: f64 = 2.0 / 3.0;
 
 pub(super) fn check(points: &[Point], lines: &[Line], bands: &[Band], said: &mut Said<'_>) {
-    let left_out = left_out(points, said);
-    let (points, lines) = (&points[left_out..], &lines[left_out..]);
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return };
     for band in bands {
         let [from, to] = [band.f0 - 0.5 * band.width, band.f0 + 0.5 * band.width];
@@ -46,23 +47,26 @@ pub(super) fn check(points: &[Point], lines: &[Line], bands: &[Band], said: &mut
     }
 }
 
-/// How many of the lowest lines the response leaves out, because they contain no information: a warning.
-fn left_out(points: &[Point], said: &mut Said<'_>) -> usize {
-    let count = uncertain_lowest(points.iter().map(|point| point.error));
-    if count > 0 {
-        let double = points[..count].iter().map(|point| 2.0 * point.error).fold(f64::INFINITY, f64::smaller);
+/// Leaves out lines that contain no information at frequencies at which no stage acts: the loop is that of the position
+/// controller there, which runs on the machine, and with them it would count as unstable. A warning.
+pub(super) fn with_information(points: Vec<Point>, bands: &[Band], said: &mut Said<'_>) -> Vec<Point> {
+    let slow = SLOW * bands.iter().map(|band| band.f0).fold(f64::INFINITY, f64::smaller);
+    let is_used = |point: &Point| slow.is_infinite() || point.hz >= slow || 2.0 * point.error < NOTHING;
+    let (used, left_out): (Vec<Point>, Vec<Point>) = points.into_iter().partition(is_used);
+    if let [first, .., last] | [first @ last] = &left_out[..] {
         let found = format!(
-            "two standard errors are {} % of the magnitude or more below {} Hz: these lines are left out",
-            significant(100.0 * double, 2),
-            hz(points[count].hz)
+            "two standard errors are half of the magnitude or more at {} lines from {} Hz to {} Hz, which are left out",
+            left_out.len(),
+            hz(first.hz),
+            hz(last.hz)
         );
         said.push(
-            said.warning(codes::UNCERTAIN_LOWEST, [points[0].line, 0], found)
+            said.warning(codes::SLOW_UNCERTAIN, [first.line, 0], found)
                 .allowed(format!("below {} %", 100.0 * NOTHING))
                 .instead("a measurement with more averages, a larger excitation, or while the axis moves"),
         );
     }
-    count
+    used
 }
 
 /// A vibration with the bandwidth of the stage must not be hidden between two lines.

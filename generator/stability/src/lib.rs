@@ -41,7 +41,7 @@ pub use drive::Drive;
 pub use frequency::{Band, Controller, Points, position};
 pub use margins::{Curve, Loop, MAX_MS, Margins};
 pub use num_complex::Complex64;
-pub use response::{NOTHING, Response, uncertain_lowest};
+pub use response::Response;
 
 /// Stages of improved position control.
 pub const STAGES: usize = 3;

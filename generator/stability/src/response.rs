@@ -6,17 +6,8 @@ use std::f64::consts::TAU;
 
 /// Cycles of delay that are removed before the lines are interpolated, and restored afterwards: the rest changes slowly.
 const TAKEN_OUT: f64 = 2.0;
-/// Two standard errors of a line, relative to its magnitude, from which it contains no information.
-pub const NOTHING: f64 = 0.5;
 
-/// How many of the lowest lines contain no information: their two standard errors, relative to the magnitude, reach [`NOTHING`].
-/// 0 if all do.
-pub fn uncertain_lowest(standard_error: impl Iterator<Item = f64>) -> usize {
-    standard_error.map(|error| 2.0 * error).position(|double| double < NOTHING).unwrap_or(0)
-}
-
-/// The response from the commanded velocity to the motor's. Its lines are used with their errors; the lowest ones are left out as
-/// long as they contain no information: a motor follows slow commands, which says more than they do.
+/// The response from the commanded velocity to the motor's. All its lines are used, with their errors.
 ///
 /// Between the lines a cubic spline interpolates P exp(j 2 pi f 2 T). Below the lowest line magnitude and phase are linear
 /// to 1 and 0 at 0 Hz. Above the highest line the last value is used, turned by the same delay.
@@ -45,12 +36,10 @@ impl Response {
         assert!(hz.len() == response.len() && hz.len() == standard_error.len(), "one response and one error a line");
         assert!(hz.first().is_some_and(|first| *first > 0.0), "lines above 0 Hz");
         assert!(hz.windows(2).all(|pair| pair[0] < pair[1]), "rising frequencies");
-        let error: Vec<f64> = response.iter().zip(standard_error).map(|(p, error)| error / magnitude(*p)).collect();
-        let first = uncertain_lowest(error.iter().copied());
-        let (hz, response, error) = (&hz[first..], &response[first..], error[first..].to_vec());
         let delay = TAKEN_OUT * cycle_time;
         let straight: Vec<Complex64> = hz.iter().zip(response).map(|(f, p)| p * turned(TAU * f * delay)).collect();
         let lines = straight.iter().zip(bends(hz, &straight)).map(|(value, bend)| [*value, bend]).collect();
+        let error = response.iter().zip(standard_error).map(|(p, error)| error / magnitude(*p)).collect();
         Self { hz: hz.to_vec(), lines, error, lowest: response[0], delay, position: None }
     }
 

@@ -45,7 +45,7 @@ fn files() -> Vec<(&'static str, From, String)> {
             table("f;gain;phase;se [dB]", &lines(), |hz| format!("{:.9};{:.9};0.01", decibels(p(hz)), degrees(p(hz)))),
         ),
         (
-            "lowest lines that say nothing",
+            "slow lines that say nothing",
             COMMAND,
             table("f [Hz];re;im;se", &lines(), |hz| {
                 format!("{:.9};{:.9};{}", p(hz).re, p(hz).im, if hz < 3.0 { 0.6 } else { 0.001 })
@@ -64,12 +64,12 @@ fn each_doubt_is_said_once() {
     transcript::equals(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/response_file/doubtful.txt"), &found);
 }
 
-/// A loop with Kv 20/s and a band-pass keeps its margins if the lines below 3 Hz are noise: a motor follows slow commands.
+/// A loop with Kv 20/s and a band-pass keeps its margins if lines below 2.2 Hz are noise: a motor follows slow commands.
 #[test]
-fn noise_at_the_lowest_lines_changes_no_margin() {
+fn noise_of_slow_lines_changes_no_margin() {
     let of = |noise: f64| {
         let text = table("f [Hz];re;im;se", &lines(), |hz| {
-            let noise = if hz < 3.0 { noise } else { 0.0 };
+            let noise = if hz < 2.2 { noise } else { 0.0 };
             let p = velocity_loop(hz) + complex(1.5 * libm::sin(7.0 * hz), libm::cos(11.0 * hz)) * noise;
             format!("{:.9};{:.9};{}", p.re, p.im, 0.001 + noise)
         });
