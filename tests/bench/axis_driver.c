@@ -9,6 +9,7 @@
 #include <stdlib.h>
 
 #include AXIS_HEADER
+#include "counted.h"
 
 #define JOIN2(a, b) a##b
 #define JOIN(a, b) JOIN2(a, b)
@@ -43,6 +44,7 @@ int main(int argc, char **argv)
     inputs.feedforward_active = true;
     inputs.feedforward_percentage = 87;
     for (long i = 0; i < n; i++) {
+        (void)counts_from(i);
         inputs.x_command = 1.0e6 * noise();
 #ifdef READS_X_ACTUAL
         inputs.x_actual = inputs.x_command - 1.0e3 * noise();

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 
 #include AXIS_HEADER
+#include "counted.h"
 
 #define JOIN2(a, b) a##b
 #define JOIN(a, b) JOIN2(a, b)
@@ -31,6 +32,7 @@ int main(int argc, char **argv)
     INPUTS_INIT(&inputs);
     inputs.mode = 1;
     for (long i = 0; i < n; i++) {
+        (void)counts_from(i);
         /* within +-131072 um/s: no limit is reached, both signs occur */
         seed = seed * 1664525u + 1013904223u;
         inputs.v_motor = (double)((int32_t)(seed >> 14) - 131072);

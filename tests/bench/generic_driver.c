@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "generic_cascade.h"
+#include "counted.h"
 
 #define MOST_SECTIONS 64
 
@@ -27,6 +28,7 @@ int main(int argc, char **argv)
         coefficients[i].a2 = 0.9;
     }
     for (long i = 0; i < n; i++) {
+        (void)counts_from(i);
         seed = seed * 1664525u + 1013904223u;
         sum += generic_cascade(coefficients, state, (uint32_t)sections, (double)((int32_t)(seed >> 14) - 131072));
     }

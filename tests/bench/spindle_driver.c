@@ -18,6 +18,7 @@
 #include <string.h>
 
 #include AXIS_HEADER
+#include "counted.h"
 
 #define JOIN2(a, b) a##b
 #define JOIN(a, b) JOIN2(a, b)
@@ -303,6 +304,9 @@ int main(int argc, char **argv)
     INIT(&state);
     INPUTS_INIT(&inputs);
     for (long i = 0; i < n; i++) {
+        if (counts_from(i)) {
+            measured = 0;
+        }
         interpolate();
         drive();
         if (disturbed) {
