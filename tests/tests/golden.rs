@@ -81,7 +81,7 @@ fn all_engines_give_the_same_bits() {
         let is_run = |engine: &Engine| match engine {
             Engine::Reference => false,
             Engine::Rust if is_every_level() => true,
-            Engine::Rust => is_first_way(case) && (number / 2).is_multiple_of(by_depth(6, 2, 1)),
+            Engine::Rust => is_first_way(case) && (number / 2).is_multiple_of(by_depth(6, 3, 1)),
             Engine::C => is_exhaustive() || !is_first_way(case) && (number / 2).is_multiple_of(2),
             _ => true,
         };
