@@ -106,6 +106,14 @@ fn the_button_and_the_motor_end_it() {
     assert!((0..30).all(|_| block.step(true, -1e4).active));
     assert!((0..31).all(|_| block.step(false, -1e4).active));
     assert!(!block.step(false, -1e4).active);
+    // So does the loss of position control, at once, and the button that stays pressed starts nothing afterwards.
+    assert!(start(&mut block, 1e4).active && (0..150).all(|_| block.step(true, 1e4).active));
+    block.inputs.position_controlled = false;
+    let lost = block.step(true, 1e4);
+    assert!(lost.v_excite.to_bits() == 0 && !lost.active && !lost.done && !lost.fault && lost.error_id == 0);
+    assert!(!start(&mut block, 1e4).active, "no start without position control");
+    block.inputs.position_controlled = true;
+    assert!((0..50).all(|_| !block.step(true, 1e4).active), "the button was pressed before");
     // Bad samples end it at once.
     for bad in [f64::NAN, f64::INFINITY, -2e15] {
         assert!(start(&mut block, 1e4).active && block.step(true, 1e4).active);
@@ -159,6 +167,7 @@ fn never_above<R: Real>(coeffs: &Coeffs<R>, random: &mut Random) {
         let inputs = Inputs {
             v_motor: R::lit(v_motor),
             hold_to_run: random.below(10) > 0,
+            position_controlled: random.below(10) > 0,
             task_cycle_ns: if random.below(50) == 0 { n } else { 0 },
             cycle_counter: 0,
         };
@@ -166,7 +175,10 @@ fn never_above<R: Real>(coeffs: &Coeffs<R>, random: &mut Random) {
         <Excitation as Block<R>>::step(&mut state, coeffs, &inputs, &mut outputs);
         let v = outputs.v_excite.to_f64();
         assert!(v.abs() <= coeffs.amplitude.to_f64(), "cycle {n}: {v}");
-        assert!(outputs.active || v.to_bits() == 0, "cycle {n}: {v} without an excitation");
+        assert!(
+            outputs.active && inputs.position_controlled || v.to_bits() == 0,
+            "cycle {n}: {v} without an excitation"
+        );
         (faults, actives) = (faults + u32::from(outputs.fault), actives + u32::from(outputs.active));
     }
     assert!(faults > 1000 && actives > 10_000, "{faults} faults, {actives} cycles of excitation");

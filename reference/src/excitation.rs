@@ -10,7 +10,8 @@
 //! front. The fade rises from 0 to 1 at the start and falls alike at the end. One period settles, the others are measured.
 //!
 //! The rising edge of `hold_to_run` starts the excitation, FALSE ends it through the fade, and so does a change of the sign of
-//! `v_motor`: friction would act as an excitation of its own. A fault ends it at once. Each start needs a rising edge.
+//! `v_motor`: friction would act as an excitation of its own. A fault and the loss of position control end it at once. Each start
+//! needs a rising edge.
 
 use crate::call_rate;
 use crate::signal::sample_limit;
@@ -81,6 +82,9 @@ pub struct Inputs<R> {
     pub v_motor: R,
     /// hold-to-run button: its rising edge starts the excitation, which runs while it is TRUE; FALSE fades it out
     pub hold_to_run: bool,
+    /// FALSE: the axis is not in position control, or has a fault: v_excite is 0 at once; a button that is still held when it
+    /// is TRUE again starts nothing
+    pub position_controlled: bool,
     /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
     pub task_cycle_ns: u32,
     /// with the key cycle_counter: cycle counter of the controller; 0: unchecked, in TwinCAT the counter of the task is used;
@@ -267,7 +271,9 @@ pub fn refuse<R: Real>(state: &mut State, outputs: &mut Outputs<R>, error_id: u3
 /// A cycle without a fault. `rises`: the button was pressed.
 #[portable]
 pub fn act<R: Real>(state: &mut State, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>, rises: bool) {
-    if state.active {
+    if !inputs.position_controlled {
+        forget(state);
+    } else if state.active {
         if !state.ends && is_reversed(state.forward, inputs.v_motor) {
             state.reversed = true;
             state.ends = true;
@@ -327,7 +333,7 @@ impl<R: Real> Block<R> for Excitation {
     }
 
     fn inputs(_: &Coeffs<R>) -> Inputs<R> {
-        Inputs::default()
+        Inputs { position_controlled: true, ..Inputs::default() }
     }
 
     fn exercise(inputs: &mut Inputs<R>, _: &Coeffs<R>) {

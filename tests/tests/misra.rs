@@ -69,16 +69,17 @@ fn cppcheck_finds_what_is_recorded() {
     let (folder, sources) = written();
     let command = command();
     assert_eq!(command[0], "cppcheck");
-    let output = Command::new(&command[0])
-        .args(&command[1..])
-        .args(["-j2", "--template=FOUND {id} in {file}:{line}: {message}"])
-        // It takes a minute for that one, and 20 s for the statements of the same kinds in axis_small_ipc. Self-tests are alike.
-        .args(sources.iter().filter(|source| !source.starts_with("axis_p_ipc")).filter(|source| {
-            is_every_level() || !source.ends_with("_self_test.c") || source.starts_with("axis_one")
-        }))
-        .current_dir(folder.path())
-        .output()
-        .unwrap();
+    let output =
+        Command::new(&command[0])
+            .args(&command[1..])
+            .args(["-j2", "--template=FOUND {id} in {file}:{line}: {message}"])
+            // It takes a minute for that one, and 20 s for the statements of the same kinds in axis_small_ipc. Self-tests are alike.
+            .args(sources.iter().filter(|source| !source.starts_with("axis_p_ipc")).filter(|source| {
+                is_every_level() || !source.ends_with("_self_test.c") || source.starts_with("axis_one")
+            }))
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
     let said = String::from_utf8_lossy(&output.stderr);
     let found: Vec<&str> = said.lines().filter_map(|line| line.strip_prefix("FOUND ")).collect();
     let (deviations, others) = (recorded("Deviations"), recorded("Findings of cppcheck"));

@@ -11,6 +11,7 @@ struct Cycle {
     done: bool,
     fault: bool,
     held: bool,
+    controlled: bool,
     period: u32,
     error_id: u32,
 }
@@ -32,6 +33,7 @@ fn cycle(of: &Signals<'_>) -> Option<Cycle> {
         done: of.bool("done")?,
         fault: of.bool("fault")?,
         held: of.bool("hold_to_run")?,
+        controlled: of.bool("position_controlled")?,
         period: of.number("period")?,
         error_id: of.number("error_id")?,
     })
@@ -48,6 +50,11 @@ fn words(last: &Cycle, now: &Cycle) -> Vec<&'static str> {
         (last.active && now.active && notice, "the motor's direction ends the excitation"),
         (!last.active && !now.active && notice && last.error_id == 0, "no start at standstill"),
         (last.active && now.fault, "a fault ends the excitation"),
+        (last.active && !now.controlled && !now.active, "the loss of position control ends the excitation"),
+        (
+            !last.controlled && now.controlled && now.held && !now.active,
+            "the button stays pressed without position control",
+        ),
         (!now.active && !now.fault && now.held && !now.done && !notice, "no start without a rising edge"),
     ];
     events.into_iter().filter(|(is, _)| *is).map(|(_, word)| word).collect()

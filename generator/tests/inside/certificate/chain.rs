@@ -1,12 +1,12 @@
 //! Single steps of a block against what its measured sections predict for them: nothing of the block is missing in a chain.
 
 use super::{block, rack_and_pinion};
+use crate::inside::sets;
+use compiler::program::Program;
 use generator::axis::Axis;
 use generator::blocks::Designed;
 use generator::blocks::ipc::certificate::chain::{Chain, Place, measure, place};
 use generator::blocks::ipc::certificate::probe::{Probe, Source};
-use crate::inside::sets;
-use compiler::program::Program;
 use portable::{Extreme, RealKind};
 
 /// The largest amplitude of a probe in single precision.

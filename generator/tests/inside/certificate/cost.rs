@@ -1,10 +1,10 @@
 //! What a certificate costs.
 
 use super::{block, one_band_pass, rack_and_pinion};
+use crate::inside::sets;
 use generator::axis::Prototype;
 use generator::blocks::Designed;
 use generator::blocks::ipc::certificate::certify;
-use crate::inside::sets;
 use portable::RealKind;
 use std::time::Instant;
 

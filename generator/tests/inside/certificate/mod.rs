@@ -6,10 +6,10 @@ mod lines;
 mod range;
 mod response;
 
+use crate::inside::sets::axis;
 use generator::axis::{Axis, DirectSource, Filter, Mode, Prototype, Stage};
 use generator::blocks::ipc::certificate::{Certificate, certify};
 use generator::blocks::{Block, Designed, blocks};
-use crate::inside::sets::axis;
 use portable::RealKind;
 
 fn block(axis: &Axis) -> Block {

@@ -1,13 +1,13 @@
 //! The bounds against brute force: impulse responses that are added up to the end, and the inputs that are the worst.
 
 use super::{block, certified, one_band_pass, rack_and_pinion};
+use crate::inside::sets;
+use compiler::interp::Machine;
+use compiler::program::{Program, Type};
 use generator::axis::{Axis, Prototype};
 use generator::blocks::Designed;
 use generator::blocks::ipc::certificate::chain::measure;
 use generator::blocks::ipc::certificate::norm::{BUDGET, Bound, run as add_up};
-use crate::inside::sets;
-use compiler::interp::Machine;
-use compiler::program::{Program, Type};
 use portable::{Extreme, Literal, RealKind};
 
 /// A block whose limit never acts, and its bound for inputs within +-1.

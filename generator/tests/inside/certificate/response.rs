@@ -1,10 +1,10 @@
 //! The measured response against the designed one, and what it sees of a wrong block.
 
 use super::{block, certified, one_band_pass, rack_and_pinion};
+use crate::inside::sets;
 use generator::axis::{Axis, Prototype};
 use generator::blocks::Designed;
 use generator::blocks::ipc::certificate::{certify, largest_defect};
-use crate::inside::sets;
 use portable::{Extreme, Literal, RealKind};
 
 /// Relative tolerances that the definition gives against an independent implementation.

@@ -3,11 +3,11 @@
 
 use super::oscillation_of;
 use super::rounding::{demanded, of_section, of_sections};
+use crate::inside::sets::filter as coefficients_of;
+use crate::inside::sets::{Set, sets};
 use generator::axis::Filter;
 use generator::design::band::{Band, band, edges, frequency, warped};
 use generator::design::response::{Complex, Section, magnitude, product, sections};
-use crate::inside::sets::filter as coefficients_of;
-use crate::inside::sets::{Set, sets};
 use portable::Extreme;
 use reference::filter::Coeffs;
 

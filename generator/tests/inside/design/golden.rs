@@ -1,9 +1,9 @@
 //! The stages of an example, computed elsewhere to 1e-13: the response at the centre, and the first samples of a step.
 
+use crate::inside::certificate::rack_and_pinion;
 use generator::blocks::Designed;
 use generator::design::band::warped;
 use generator::design::response::of_stage;
-use crate::inside::certificate::rack_and_pinion;
 use portable::RealKind;
 use reference::stage;
 

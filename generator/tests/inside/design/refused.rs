@@ -1,10 +1,10 @@
 //! Which axes are refused although each of their parameters is in its range.
 
+use crate::inside::sets::axes;
 use generator::axis::{Axis, Filter, Mode, Prototype};
 use generator::blocks::Designed;
 use generator::blocks::ipc::feasibility::{Refusal, refusals, refusals_of};
 use generator::blocks::ipc::stage::stage;
-use crate::inside::sets::axes;
 use portable::RealKind;
 
 /// An axis with one INDIRECT stage: 62.5 us, Q 10, and an all-pass next to a band-pass of order 3.

@@ -1,9 +1,9 @@
 //! The frequency response that `design::response` computes, against what the reference's own `step` does to an impulse.
 
+use crate::inside::sets::axes;
 use generator::blocks::ipc::stage::stage;
 use generator::design::band::warped;
 use generator::design::response::{Complex, magnitude, of_stage};
-use crate::inside::sets::axes;
 use portable::{Extreme, RealKind};
 use reference::stage::{Coeffs, State, step};
 

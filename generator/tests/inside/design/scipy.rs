@@ -3,10 +3,10 @@
 
 use super::oscillation_of;
 use super::rounding::of_section;
+use crate::inside::sets::filter as coefficients_of;
 use generator::axis::{Filter, Prototype};
 use generator::design::band::warped;
 use generator::design::response::{self, Complex, Section, magnitude, product};
-use crate::inside::sets::filter as coefficients_of;
 use portable::Extreme;
 use reference::oscillation;
 

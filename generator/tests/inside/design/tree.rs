@@ -1,10 +1,10 @@
 //! The whole tree of coefficients: what is copied, what stays 0, the limit, the fade, single precision, the notes.
 
+use crate::inside::sets::axes;
 use generator::axis::{Axis, Filter, Mode, Prototype};
 use generator::blocks::ipc::design::{design, fade_cycles};
 use generator::blocks::{Designed, named};
 use generator::design::rounding::rounded;
-use crate::inside::sets::axes;
 use portable::{Extreme, Literal, Portable, RealKind, Ty};
 use reference::ipc::Coeffs;
 

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  6d45c1b35d4481cd8b3cffdceb646e22
- * structure   3d16984b9144ac2a0928da46c422a764
- * checksum    91c89554e000f3729007f67a36d47849
+ * structure   76e2ee403a4e778440c95eabd4193afb
+ * checksum    bc52fe9e0a011e8862aa265987afeb6c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_excitation.h"
@@ -70,6 +70,7 @@ AXGEN_CODE_SECTION void axis_x_excitation_inputs_init(axis_x_excitation_inputs *
 {
     inputs->v_motor = 0.0;
     inputs->hold_to_run = false;
+    inputs->position_controlled = true;
     inputs->task_cycle_ns = 0u;
 }
 
@@ -139,7 +140,17 @@ AXGEN_CODE_SECTION void axis_x_excitation_step(
         outputs->error_id = AXIS_X_EXCITATION_ERROR_V_MOTOR;
     } else if (sound) {
         outputs->fault = false;
-        if (state->active) {
+        if (!inputs->position_controlled) {
+            state->active = false;
+            state->ends = false;
+            state->fade = 0u;
+            state->register_value = 0u;
+            state->cycle = 1u;
+            state->clock = 1u;
+            state->period = 0u;
+            state->complete = false;
+            state->reversed = false;
+        } else if (state->active) {
             const bool forward = state->forward;
             bool value;
             if (forward) {

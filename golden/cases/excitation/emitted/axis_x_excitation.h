@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  6d45c1b35d4481cd8b3cffdceb646e22
- * structure   3d16984b9144ac2a0928da46c422a764
- * checksum    641f51a22f7be93c4327ac0dddc1038f
+ * structure   76e2ee403a4e778440c95eabd4193afb
+ * checksum    9a75329feecbc1ae631cd300b3f7fcb1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_EXCITATION_H
@@ -36,10 +36,10 @@ extern "C" {
 #define AXIS_X_EXCITATION_PARAMETERS_2 0x8b3cffdcu
 #define AXIS_X_EXCITATION_PARAMETERS_3 0xeb646e22u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_X_EXCITATION_STRUCTURE_0 0x3d16984bu
-#define AXIS_X_EXCITATION_STRUCTURE_1 0x9144ac2au
-#define AXIS_X_EXCITATION_STRUCTURE_2 0x0928da46u
-#define AXIS_X_EXCITATION_STRUCTURE_3 0xc422a764u
+#define AXIS_X_EXCITATION_STRUCTURE_0 0x76e2ee40u
+#define AXIS_X_EXCITATION_STRUCTURE_1 0x3a4e7784u
+#define AXIS_X_EXCITATION_STRUCTURE_2 0x40c95eabu
+#define AXIS_X_EXCITATION_STRUCTURE_3 0xd4193afbu
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_EXCITATION_INPUTS_SIZE 16u
 #define AXIS_X_EXCITATION_OUTPUTS_SIZE 24u
@@ -73,6 +73,9 @@ typedef struct {
     double v_motor; /* actual velocity of the motor: it must keep its sign [um/s]; start 0.0 */
     /* hold-to-run button: its rising edge starts the excitation, which runs while it is TRUE; FALSE fades it out; start false */
     bool hold_to_run;
+    /* FALSE: the axis is not in position control, or has a fault: v_excite is 0 at once; a button that is still held
+     * when it is TRUE again starts nothing; start true */
+    bool position_controlled;
     /* cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0u */
     uint32_t task_cycle_ns;
 } axis_x_excitation_inputs;
