@@ -8,7 +8,6 @@ use generator::target::File;
 use golden::case::Case;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
-use std::time::Instant;
 
 /// The blocks that contain the others: every kind of stage; feedforward and position control; a spindle.
 const BLOCKS: [&str; 3] = ["three-full-stages", "axis-in-the-cnc", "whole-spindle-in-the-cnc"];
@@ -54,7 +53,6 @@ fn without_counter(text: &str) -> String {
 #[test]
 #[expect(clippy::print_stdout, reason = "a figure of the acceptance")]
 fn every_processor_gives_the_bits_of_the_reference() {
-    let begin = Instant::now();
     let boards = boards();
     let kinds = if is_exhaustive() { &["f64", "f32"][..] } else { &["f32"] };
     let emitted: Vec<_> = kinds.iter().map(|kind| (*kind, blocks(kind))).collect();
@@ -70,11 +68,10 @@ fn every_processor_gives_the_bits_of_the_reference() {
     });
     let names: Vec<&str> = boards.iter().map(|board| board.name).collect();
     println!(
-        "0 differing bits: {} programs of {} blocks with {PERIOD} samples each on {}, in {:.0} s",
+        "0 differing bits: {} programs of {} blocks with {PERIOD} samples each on {}",
         runs.len(),
         BLOCKS.len(),
-        names.join(", "),
-        begin.elapsed().as_secs_f64()
+        names.join(", ")
     );
 }
 
@@ -85,7 +82,7 @@ fn every_case_gives_the_bits_of_the_reference_on_some_processor() {
     if !is_exhaustive() {
         return;
     }
-    let (begin, boards) = (Instant::now(), boards());
+    let boards = boards();
     let mut seen = BTreeSet::new();
     let emitted =
         in_both_real_types().into_iter().map(|case| (title(&case), Emitted::of(&case.axis, &case.block, SHORT)));
@@ -97,11 +94,7 @@ fn every_case_gives_the_bits_of_the_reference_on_some_processor() {
         let said = board.run(&[emitted], Build::default());
         assert_eq!(without_counter(&said), passed(&emitted.prefix, SHORT), "{title}, {}", board.name);
     });
-    println!(
-        "0 differing bits: {} blocks of {SHORT} samples, in {:.0} s",
-        emitted.len().div_ceil(part),
-        begin.elapsed().as_secs_f64()
-    );
+    println!("0 differing bits: {} blocks of {SHORT} samples", emitted.len().div_ceil(part));
 }
 
 /// With a counter of the board that counts one instruction as 32 ns of a clock of 25 MHz.

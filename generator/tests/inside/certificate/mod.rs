@@ -1,7 +1,6 @@
 //! The certificate of a block against brute force, closed forms and blocks that are made wrong. No golden files.
 
 mod chain;
-mod cost;
 mod lines;
 mod range;
 mod response;
