@@ -53,7 +53,8 @@ static ROWS: &[Row] = rows! {
         "Call the block in a task with the cycle time that it was generated for, or generate it for this task. 0 at task_cycle_ns: unchecked.";
     error_mode: "Improved position control acts as in the mode OFF, at once: v_add is 0. The other parts of an axis go on.",
         "Write 0 (OFF), 1 (ON) or 2 (DRYRUN) to mode.";
-    error_state: "v_add is 0. The block restarts in the same cycle and fades in again; a delay continues with the present sample. If the \
+    error_state: "v_add is 0. The block restarts in the same cycle and fades in again; a delay continues with the present sample. A block \
+                  with parameter sets first checks the offered set again; until then active_set is 0. If the \
                   memory of a spindle's changeover is overwritten, the spindle brakes to standstill, and the id stays until a reset.",
         "Something else writes to the memory of the block, or an input is far above vb_max. Find the cause, because the fault can recur.";
     error_tuning: "Not a fault. The last valid value stays active. After a cycle in which the block axis \

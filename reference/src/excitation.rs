@@ -329,7 +329,7 @@ impl<R: Real> Block<R> for Excitation {
     const NAME: &'static str = "excitation";
 
     fn enable(_: &Coeffs<R>) -> Option<Enable> {
-        Some(Enable { input: "hold_to_run", off: Off::Fade("active") })
+        Some(Enable { input: "position_controlled", off: Off::False })
     }
 
     fn inputs(_: &Coeffs<R>) -> Inputs<R> {

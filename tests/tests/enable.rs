@@ -101,26 +101,37 @@ fn vibrate(run: &mut Run<'_>, cycle: i32) {
 
 #[test]
 fn valid_and_busy_fall_with_the_last_value_to_add() {
-    let excited = read(&IPC.replace("tunable = 'weights'", "excitation = { amplitude = 5000, periods = 8 }"));
-    for (designed, name, output) in [(&read(IPC), "ipc", "v_add"), (&excited, "excitation", "v_excite")] {
-        in_each(designed, name, &mut |run| {
-            let (mut faded, mut after) = (0, 0);
-            for cycle in 0..2000 {
-                run.set("Enable", Literal::Bool(cycle < 1000));
-                run.set("hold_to_run", Literal::Bool(cycle > 0));
-                let v = 100_000.0 * (f64::from(cycle) * 0.125_664).sin();
-                run.set("v_motor", Literal::F64(if name == "ipc" { v } else { 50_000.0 }));
-                run.cycle();
-                let (adds, valid, busy) = (run.number(output) != 0.0, run.is("Valid"), run.is("Busy"));
-                assert!(!adds || valid, "{}: {output} without Valid in cycle {cycle}", run.of);
-                assert_eq!(valid, busy, "{}: without an error both are the same", run.of);
-                faded += i32::from(cycle >= 1000 && adds);
-                after = if adds { 0 } else { after + 1 };
-                assert!(cycle < 1000 || after < 3 || !valid, "{}: Valid and nothing to add in cycle {cycle}", run.of);
-            }
-            assert!(faded > 20 && after > 500, "{}: {faded} cycles of fading, then {after}", run.of);
-        });
-    }
+    in_each(&read(IPC), "ipc", &mut |run| {
+        let (mut faded, mut after) = (0, 0);
+        for cycle in 0..2000 {
+            run.set("Enable", Literal::Bool(cycle < 1000));
+            vibrate(run, cycle);
+            let (adds, valid, busy) = (run.number("v_add") != 0.0, run.is("Valid"), run.is("Busy"));
+            assert!(!adds || valid, "{}: v_add without Valid in cycle {cycle}", run.of);
+            assert_eq!(valid, busy, "{}: without an error both are the same", run.of);
+            faded += i32::from(cycle >= 1000 && adds);
+            after = if adds { 0 } else { after + 1 };
+            assert!(cycle < 1000 || after < 3 || !valid, "{}: Valid and nothing to add in cycle {cycle}", run.of);
+        }
+        assert!(faded > 20 && after > 500, "{}: {faded} cycles of fading, then {after}", run.of);
+    });
+}
+
+/// Enable is FALSE, and rises, while the button hangs; then it is pressed.
+#[test]
+fn enable_starts_no_excitation() {
+    let designed = read(&IPC.replace("tunable = 'weights'", "excitation = { amplitude = 5000, periods = 8 }"));
+    in_each(&designed, "excitation", &mut |run| {
+        run.set("v_motor", Literal::F64(50_000.0));
+        for cycle in 0..600 {
+            let (enabled, presses) = (cycle % 300 > 5, [100, 400].contains(&cycle));
+            run.set("Enable", Literal::Bool(enabled));
+            run.set("hold_to_run", Literal::Bool(!presses));
+            run.cycle();
+            assert_eq!(run.number("v_excite") != 0.0, enabled && cycle % 300 > 101, "{}: cycle {cycle}", run.of);
+            assert_eq!((run.is("Busy"), run.is("Valid")), (enabled, enabled), "{}: cycle {cycle}", run.of);
+        }
+    });
 }
 
 #[test]

@@ -5,6 +5,8 @@
 
 use axgen_tests::cases::{in_both_real_types, title};
 use axgen_tests::environment::by_depth;
+use axgen_tests::model::subject::read;
+use generator::blocks::blocks;
 use generator::target::File;
 use golden::case::{self, Case, VECTOR_SAMPLES};
 use golden::engine::{self, Engine, emitted};
@@ -51,6 +53,22 @@ fn a_self_test_finds_nothing_in_its_block() {
             assert_eq!(emitted.differing(&emitted.block.clone().wide()), 0, "{}: {dialect:?}", title(case));
         }
     });
+}
+
+#[test]
+fn a_self_test_of_an_excitation_reaches_its_amplitude() {
+    for keys in ["", "cycle_counter = true"] {
+        let set = format!(
+            "cycle_time = '1ms'\n[axis.X]\n{keys}\nexcitation.amplitude = 5000\ngetriebe = [{{ dynamik.vb_max = 500000 }}]"
+        );
+        let designed = read(&set);
+        let block = blocks(&designed).unwrap().into_iter().find(|block| block.program.block == "excitation").unwrap();
+        let [_, test] = emitted::files(Dialect::Plain, &designed, &block).unwrap();
+        assert!(
+            ["expected_v_excite := 5000.0;", "expected_v_excite := -5000.0;"].iter().all(|row| test.text.contains(row)),
+            "{keys}"
+        );
+    }
 }
 
 /// Of a spindle no self-test claims to find it: few cycles of its noise compute a position, and fewer show the last bit.

@@ -75,7 +75,6 @@ enum Works {
     Never,
     /// a part of the state
     State(usize),
-    Output(usize),
     /// two outputs, and the drive
     Brakes {
         velocity: usize,
@@ -92,7 +91,6 @@ impl Works {
             Some(Off::Mode(_, Some(fades)) | Off::Execute(Some(fades))) => {
                 state_paths.iter().position(|path| path == program.path(*fades)).map(Self::State)
             }
-            Some(Off::Fade(Some(active))) => output(program.path(*active)).map(Self::Output),
             Some(Off::Brake(Brake { velocity, state, resting, drive: (input, number) })) => {
                 let drive = program.inputs.iter().position(|variable| variable.path == *input);
                 let found = output(velocity).zip(output(state)).zip(drive);
@@ -103,7 +101,7 @@ impl Works {
                     drive: (drive, *number),
                 })
             }
-            Some(Off::Mode(_, None) | Off::Fade(None) | Off::Execute(None) | Off::False) | None => None,
+            Some(Off::Mode(_, None) | Off::Execute(None) | Off::False) | None => None,
         };
         found.unwrap_or(Self::Never)
     }
@@ -111,7 +109,6 @@ impl Works {
     fn shows(self, run: &dyn Run, inputs: &[Literal], outputs: &[Literal]) -> bool {
         match self {
             Self::Never => false,
-            Self::Output(index) => outputs[index] == Literal::Bool(true),
             Self::State(leaf) => {
                 let mut fades = false;
                 run.state(&[leaf], &mut |value| fades = value == Literal::Bool(true));

@@ -74,7 +74,8 @@ pub(crate) struct Wanted {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Calls {
     pub(crate) counter: usize,
-    pub(super) reset: usize,
+    /// none in a block that its button starts again
+    pub(super) reset: Option<usize>,
 }
 
 impl Exercise {
@@ -90,7 +91,7 @@ impl Exercise {
         let position = |path: &str| program.inputs.iter().position(|input| input.path == path);
         let signal = |path: &str| position(path).filter(|input| signals.contains(input));
         let counter = signal("cycle_counter");
-        let calls = counter.and_then(|counter| Some(Calls { counter, reset: position("reset")? }));
+        let calls = counter.map(|counter| Calls { counter, reset: position("reset") });
         // If calls are counted, TwinCAT reads the task's values where these are 0.
         if let (Some(counter), Some(cycle)) = (counter, position("task_cycle_ns")) {
             (usual[counter], usual[cycle]) = (Literal::U32(1), Literal::U32(wanted.cycle_time_ns));

@@ -19,8 +19,6 @@ pub enum Off {
     Mode(&'static Fn, &'static str),
     /// false, at once
     False,
-    /// false: the block fades out; the output that is true until it has
-    Fade(&'static str),
     /// false: nothing new begins; the part of the state that is true until what began has ended
     Execute(&'static str),
     /// true: the block brakes

@@ -29,10 +29,10 @@ macro_rules! inputs {
             /// velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]
             pub v_direct: R,
             /// with the key tunable: factor of the stage's weight, 0 to 1; outside this range the last valid value stays
-            /// active, with the id 4, which is not a fault
+            /// active, 0 after a cycle in which the block did not act, with the id 4, which is not a fault
             pub tuning_weight: [R; STAGES],
             /// with the key tunable: factor of the limit (P-AXIS-00757), 0 to 1; outside this range the last valid value
-            /// stays active, with the id 4, which is not a fault
+            /// stays active, 0 after a cycle in which the block did not act, with the id 4, which is not a fault
             pub tuning_limit: R,
             /// gantry slave: v_add of the master axis [um/s or 0.001 deg/s]
             pub v_add_master: R,

@@ -8,7 +8,7 @@ use crate::design::poles::{has_pair, real_poles, real_sigma};
 use crate::filter::{MAX_ORDER, Type};
 use crate::ipc::STAGES;
 use crate::stage::{self, FILTERS, Mode};
-use portable::{Real, copy, portable};
+use portable::{Real, copy, note, portable};
 
 /// An element: its place, its inputs as they were read, and its structure.
 #[portable]
@@ -63,13 +63,16 @@ pub fn is_last<R: Real>(structure: &stage::Coeffs<R>, k: usize) -> bool {
 pub fn read<R: Real>(of: &mut Element<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, i: usize, k: usize) {
     let prototype = coeffs.prototype[i].filter[k];
     copy!(of = inputs.stage[i].filter[k]: f0, q_factor);
-    of.weight = inputs.stage[i].weight;
     of.is_simulated = coeffs.set.ipc.stage[i].mode != Mode::Direct;
-    if coeffs.set.ipc.stage[i].mode != Mode::Direct {
-        of.damping = inputs.stage[i].damping;
-    }
     of.has_oscillation = stage::is_centre_of_oscillation(&coeffs.set.ipc.stage[i], k);
     of.opens_stage = stage::is_first(&coeffs.set.ipc.stage[i], k);
+    if stage::is_first(&coeffs.set.ipc.stage[i], k) {
+        note("the numbers of a stage are read once: its norm and its gain must agree");
+        of.weight = inputs.stage[i].weight;
+        if coeffs.set.ipc.stage[i].mode != Mode::Direct {
+            of.damping = inputs.stage[i].damping;
+        }
+    }
     of.closes_stage = is_last(&coeffs.set.ipc.stage[i], k);
     of.has_pair = false;
     of.real = 0u32;

@@ -23,7 +23,8 @@ pub struct Inputs<R> {
 pub struct Outputs<R> {
     /// TRUE while a set is designed: call the block again
     pub active: bool,
-    /// params is the complete set of the inputs of the last rising edge of execute
+    /// params is the complete set of the last design: of the inputs since the rising edge of execute, which must not
+    /// change while active is TRUE
     pub designed: bool,
     /// the last design was refused: the error id gives the reason, and params is not a set
     pub fault: bool,

@@ -64,14 +64,11 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
         Off::Brake(brake) => {
             Some(output(brake.velocity).zip(output(brake.state)).ok_or_else(|| missing(brake.velocity))?)
         }
-        Off::Mode(..) | Off::False | Off::Fade(_) | Off::Execute(_) => None,
+        Off::Mode(..) | Off::False | Off::Execute(_) => None,
     };
     let moved = add_signals(&mut program, &switch.off, [error?, error_id?]);
     let works = match &switch.off {
-        Off::Mode(_, fades) | Off::Fade(fades) | Off::Execute(fades) => fades.map(|var| match var {
-            Var::Output(index) => Expr::Var(moved(index)),
-            other => Expr::Var(other),
-        }),
+        Off::Mode(_, works) | Off::Execute(works) => works.map(Expr::Var),
         Off::False => None,
         Off::Brake(of) => brake.map(|(velocity, state)| works(&program, of, [velocity, state].map(&moved))),
     };
@@ -204,11 +201,6 @@ const FALSE: [&str; 3] = [
     "TRUE: enabled, and no part has a fault in this cycle; the outputs are valid in any case: do not gate them with Valid",
     "TRUE: keep calling the block; it is enabled",
 ];
-const FADE: [&str; 3] = [
-    "FALSE: acts as hold_to_run FALSE, v_excite fades out; TRUE: the input hold_to_run applies",
-    "TRUE: add v_excite; the block is enabled or still fades out, and has no fault in this cycle",
-    "TRUE: keep calling the block; it is enabled or still fades out",
-];
 const EXECUTE: [&str; 3] = [
     "FALSE: acts as execute FALSE, no design begins, an active one goes on; TRUE: the input execute applies",
     "TRUE: enabled or still designing, and no input was refused; params is a set only while designed is TRUE",
@@ -225,7 +217,6 @@ fn docs(off: &Off) -> [&'static str; 3] {
     match off {
         Off::Mode(..) => MODE,
         Off::False => FALSE,
-        Off::Fade(_) => FADE,
         Off::Execute(_) => EXECUTE,
         Off::Brake(_) => BRAKE,
     }
@@ -233,7 +224,7 @@ fn docs(off: &Off) -> [&'static str; 3] {
 
 /// The meanings of one of the signals, which depend on the block; none for any other name.
 pub fn meanings(name: &str) -> Vec<&'static str> {
-    let of_switch = [MODE, FALSE, FADE, EXECUTE, BRAKE].into_iter().flat_map(|docs| SWITCH.into_iter().zip(docs));
+    let of_switch = [MODE, FALSE, EXECUTE, BRAKE].into_iter().flat_map(|docs| SWITCH.into_iter().zip(docs));
     let of_errors = RENAMED.iter().map(|(_, name)| *name).zip(OF_ERRORS);
     let all = of_switch.chain(of_errors).chain([(NOTICE, OF_NOTICE)]);
     let mut found = Vec::new();

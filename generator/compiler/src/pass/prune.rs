@@ -109,9 +109,8 @@ fn number_afresh(mut program: Program, signals: (Vec<bool>, Vec<bool>)) -> Progr
     if let Some(switch) = &mut program.switch {
         switch.input = new.inputs[switch.input];
     }
-    if let Some(Switch { off: Off::Mode(_, fades) | Off::Fade(fades) | Off::Execute(fades), .. }) = &mut program.switch
-    {
-        *fades = fades.filter(|fades| mentioned[*fades]).map(renamed);
+    if let Some(Switch { off: Off::Mode(_, works) | Off::Execute(works), .. }) = &mut program.switch {
+        *works = works.filter(|works| mentioned[*works]).map(renamed);
     }
     program
 }

@@ -71,8 +71,6 @@ pub enum Off {
     Mode(Constant, Option<Var>),
     /// FALSE, at once
     False,
-    /// FALSE, and the output that is TRUE until the block has faded out
-    Fade(Option<Var>),
     /// FALSE: nothing new begins; the part of the state that is TRUE until what began has ended
     Execute(Option<Var>),
     /// TRUE: the block brakes
@@ -84,7 +82,7 @@ impl Off {
     pub fn value(&self) -> Literal {
         match self {
             Self::Mode(off, _) => off.value,
-            Self::False | Self::Fade(_) | Self::Execute(_) => Literal::Bool(false),
+            Self::False | Self::Execute(_) => Literal::Bool(false),
             Self::Brake(_) => Literal::Bool(true),
         }
     }

@@ -169,7 +169,6 @@ impl Specialiser<'_> {
             find(&self.program.inputs, enable.input).expect("specialise: the block has the input that turns it off");
         let off = match enable.off {
             portable::Off::False => Off::False,
-            portable::Off::Fade(fades) => Off::Fade(find(&self.program.outputs, fades).map(Var::Output)),
             portable::Off::Execute(works) => Off::Execute(find(&self.program.state, works).map(Var::State)),
             portable::Off::Brake(brake) => Off::Brake(brake),
             portable::Off::Mode(off, fades) => {

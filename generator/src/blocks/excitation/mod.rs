@@ -12,6 +12,9 @@ use crate::design::rounding::literal;
 use portable::Literal;
 use reference::excitation::{Coeffs, Excitation};
 
+/// The longest fade that a self-test waits for [cycles]: 0.1 s with a cycle of 250 us. Each of its cycles is two lines there.
+const LONGEST_FADE: u32 = 400;
+
 impl Design for Excitation {
     fn design(designed: &Designed) -> Coeffs<f64> {
         design::coefficients(&designed.axis)
@@ -43,17 +46,18 @@ impl BlockKind for Excitation {
         [amplitude / 16.0, 4.0 * amplitude]
     }
 
-    /// The button is released and pressed; the motor moves on, then turns round. A second start in the other
-    /// direction is released.
+    /// The button is released and pressed; the motor moves on until the fade is complete, then turns round. A second start in
+    /// the other direction is released.
     fn drill(&self, designed: &Designed) -> Vec<Drill> {
         let speed = 4.0 * amplitude(designed);
         let part = |input, value, samples| Drill { input, value, samples };
+        let turns = design::coefficients(&designed.axis).fade_cycles.min(LONGEST_FADE) as usize + 24;
         vec![
             part("hold_to_run", Literal::Bool(false), 0..2),
-            part("v_motor", Literal::F64(speed), 0..24),
-            part("v_motor", Literal::F64(-speed), 24..64),
-            part("hold_to_run", Literal::Bool(false), 40..42),
-            part("hold_to_run", Literal::Bool(false), 52..58),
+            part("v_motor", Literal::F64(speed), 0..turns),
+            part("v_motor", Literal::F64(-speed), turns..turns + 40),
+            part("hold_to_run", Literal::Bool(false), turns + 16..turns + 18),
+            part("hold_to_run", Literal::Bool(false), turns + 28..turns + 34),
         ]
     }
 

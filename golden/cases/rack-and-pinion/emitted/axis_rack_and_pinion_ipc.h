@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  add150623ccfc280dfd3932ca6046864
  * structure   8f46823ccc58d7430fee0f72ae9832e8
- * checksum    7bd20654be662c031dfc3ee7d3a26488
+ * checksum    ad983c0cabeb086b0cea9ee30cc67d2c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_RACK_AND_PINION_IPC_H
@@ -104,7 +104,8 @@ typedef struct {
     /* additive velocity of improved position control, to be added to the manipulated variable [um/s] */
     double v_add;
     double v_add_calculated; /* v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [um/s] */
-    /* the sum of the stages is above the limit (P-AXIS-00757, in 0.1 % of P-AXIS-00212) in this cycle */
+    /* the sum of the stages is above the limit (P-AXIS-00757, in 0.1 % of P-AXIS-00212, or a smaller one by tuning)
+     * in this cycle */
     bool limited;
     bool fault; /* the block cannot act in this cycle; the error id gives the reason */
     uint32_t error_id; /* 0 none, 1 cycle_time, 2 mode, 3 state, 12 v_motor */

@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  add150623ccfc280dfd3932ca6046864
-// checksum    dd284791f1cb5fd7d573eb1fb032cebb
+// checksum    cd88ab41707257cf8e5cc42865b868b2
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 //! Improved position control: v_add, added to the velocity command, acts against vibrations of the axis. The
@@ -60,7 +60,8 @@ pub struct Outputs {
     pub v_add: f64,
     /// v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [um/s]
     pub v_add_calculated: f64,
-    /// the sum of the stages is above the limit (P-AXIS-00757, in 0.1 % of P-AXIS-00212) in this cycle
+    /// the sum of the stages is above the limit (P-AXIS-00757, in 0.1 % of P-AXIS-00212, or a smaller one by tuning)
+    /// in this cycle
     pub limited: bool,
     /// the block cannot act in this cycle; the error id gives the reason
     pub fault: bool,

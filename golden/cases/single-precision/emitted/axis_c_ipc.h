@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  66f0269b36f88be089736648cbf9f148
  * structure   e7274e84f9eb7aa9e728b6040983993b
- * checksum    64609085568685d7d736b33930e8e08a
+ * checksum    a23c0793b8693aa2753e30f319cb339b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_C_IPC_H
@@ -114,7 +114,8 @@ typedef struct {
     /* additive velocity of improved position control, to be added to the manipulated variable [0.001 deg/s] */
     float v_add;
     float v_add_calculated; /* v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [0.001 deg/s] */
-    /* the sum of the stages is above the limit (P-AXIS-00757, in 0.1 % of P-AXIS-00212) in this cycle */
+    /* the sum of the stages is above the limit (P-AXIS-00757, in 0.1 % of P-AXIS-00212, or a smaller one by tuning)
+     * in this cycle */
     bool limited;
     bool fault; /* the block cannot act in this cycle; the error id gives the reason */
     uint32_t error_id; /* 0 none, 1 cycle_time, 2 mode, 3 state, 11 v_command, 12 v_motor */
