@@ -852,4 +852,7 @@ codes! {
         "At a fifth of the lowest f0 and below no stage acts. Lines whose two standard errors are half of their magnitude or more \
          are left out there: with them every weight would count as unstable. A curve through the other lines replaces them, which \
          goes to 1 at 0 Hz, because a motor follows slow commands.";
+    MUCH_FOLLOWING_ERROR = "AX548", "stages with which the axis lags far behind its command",
+        "Stages that damp a vibration also change slow motion: the following error may grow, and the axis reaches its position \
+         later. The prediction is that of the recorded moves. Decide whether the process allows it.";
 }

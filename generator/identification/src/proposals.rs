@@ -4,8 +4,8 @@
 use crate::figures::{Effect, Judge, Left, Record, Vibration};
 use crate::response::{Lines, is_too_uncertain};
 use crate::scenarios::{MOST_STAGES, Scenarios, controller, most};
-use crate::search::{Candidate, Judged, Search};
-use crate::shape::{Mode, Shape, Stages};
+use crate::search::{Candidate, Judged, MANDATORY, Search};
+use crate::shape::{Mode, Shape, Stages, allpass};
 use crate::what_if::Axis;
 use portable::Extreme;
 use stability::{Complex64, Controller, Drive, Loop, Points};
@@ -192,8 +192,8 @@ fn proposal(kind: Kind, search: &Search<'_, '_>, found: &Judged) -> Option<Propo
 }
 
 /// First stages without a response: 10 % of the largest weights, Ms within 2, with a drive of 1.5 cycles and 3 ms. Modes and
-/// frequencies [Hz] of the vibrations, one stage for each; Kv [1/s] of a position loop in the CNC, or in the drive. `None`
-/// without vibrations, or with more vibrations than stages.
+/// frequencies [Hz] of the vibrations, one stage for each, with an all-pass where that drive lags by more than 90 degrees; Kv [1/s] of a position loop in the CNC, or in the drive. `None`
+/// without vibrations, with more vibrations than stages, or if no all-pass is possible.
 #[must_use]
 pub fn first(
     vibrations: &[(Mode, f64)],
@@ -206,10 +206,25 @@ pub fn first(
         let q = FIRST_Q[usize::from(*mode == Mode::Indirect)];
         (Shape { mode: *mode, f0: *hz, q, damping: FIRST_DAMPING, allpass: None }, 1.0)
     };
-    let mut of: Vec<(Shape, f64)> = vibrations.iter().map(shape).collect();
     let drive = Drive::Delay { cycles: UNKNOWN[0], time_constant: Some(UNKNOWN[1]) };
-    let controller = Controller { gain_in_drive, ..controller(stages, &of, cycle_time, position_gain) };
-    let points = Points::new(controller, &[drive]);
+    let points = |of: &[(Shape, f64)]| {
+        let controller = Controller { gain_in_drive, ..controller(stages, of, cycle_time, position_gain) };
+        Points::new(controller, &[drive])
+    };
+    let plain: Vec<(Shape, f64)> = vibrations.iter().map(shape).collect();
+    let with_lag = points(&plain);
+    let lag = |hz| Loop::new(&with_lag, drive).lag(hz);
+    let turned = plain.iter().map(|(shape, weight)| {
+        let lag = lag(shape.f0);
+        let allpass = if lag > MANDATORY { Some(allpass(shape.f0, lag, cycle_time)?) } else { None };
+        Some((Shape { allpass, ..*shape }, *weight))
+    });
+    // Without the all-pass a stage would excite what it is to damp.
+    let mut of: Vec<(Shape, f64)> = turned.flatten().collect();
+    if of.is_empty() {
+        return None;
+    }
+    let points = points(&of);
     let [_, largest] = Loop::new(&points, drive).largest_parts();
     let factor = FIRST * largest.smaller(most(&of));
     of.iter_mut().for_each(|(_, weight)| *weight = factor);

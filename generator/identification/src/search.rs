@@ -27,7 +27,7 @@ const BEST: usize = 3;
 const FARTHEST: f64 = 0.25;
 /// Lags of P from which an all-pass is tried, and from which it is required [degrees].
 const TRIED: f64 = 20.0;
-const MANDATORY: f64 = 90.0;
+pub(crate) const MANDATORY: f64 = 90.0;
 /// The factor of Ms in the cost.
 const OF_MS: f64 = 0.1;
 /// The factor of what the load moves too much after stops: more than any gain elsewhere.

@@ -47,8 +47,9 @@ const HIGHEST: f64 = 500.0;
 const HIGHEST_PART: f64 = 0.45;
 /// Quality factor of a proposed all-pass: flat enough not to narrow the stage, steep enough to reach most leads.
 pub const ALLPASS_Q: f64 = 2.0;
-/// The lowest f0 of an all-pass, as a part of that of its stage.
-const LOWEST_PART: f64 = 1e-3;
+/// The lowest f0 of an all-pass, as a part of that of its stage: a lead of 20 degrees. A lower one gives less, and turns the
+/// slow motion that a stage lets through: the axis then creeps to its position.
+const LOWEST_PART: f64 = 0.3;
 /// Halvings of the interval of the search.
 const STEPS: u32 = 60;
 

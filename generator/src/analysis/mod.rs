@@ -4,7 +4,7 @@ mod lead;
 mod text;
 
 pub use crate::blocks::ipc::closed_loop::Known;
-pub use text::{STAGE, headline, margins, stage_cells, text};
+pub use text::{STAGE, headline, margins, outside, stage_cells, text};
 
 use crate::axis::{DriveModel, Stage};
 use crate::blocks::Designed;

@@ -26,14 +26,19 @@ pub fn text(designed: &Designed) -> String {
         None => "without its position loop: Kv (P-AXIS-00099) is not given".to_owned(),
     };
     let mut lines = vec![format!("axis {}: cycle {cycle} us, {position}", axis.name)];
-    if drives.is_empty() {
-        lines.push("  no stage looks at v_motor: the stages close no loop".to_owned());
-    }
+    lines.extend(outside(designed, drives.is_empty()).map(|line| format!("  {line}")));
     lines.extend(drives.iter().flat_map(of_drive));
     if let Some(first) = drives.first() {
         lines.extend(parameters(designed, first));
     }
     lines.iter().map(|line| format!("{line}\n")).collect()
+}
+
+/// What the analysis leaves out; where it has no loop, that there is none.
+#[must_use]
+pub fn outside(designed: &Designed, is_empty: bool) -> Option<String> {
+    let none = || is_empty.then(|| "no stage looks at v_motor or v_direct: the stages close no loop".to_owned());
+    closed_loop::not_judged(designed).or_else(none)
 }
 
 fn of_drive(of: &OfDrive) -> Vec<String> {

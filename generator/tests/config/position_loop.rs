@@ -53,8 +53,9 @@ fn an_analysis_names_the_gain_of_an_axis_without_a_stage() {
     ] {
         let (set, report) = read_set(format!("cycle_time = '1ms'\n[axis.X]\n{keys}\ndrive.delay = 1\n"));
         let set = set.unwrap_or_else(|| panic!("{report}"));
-        let lines =
-            format!("axis X: cycle 1000 us, {position}\n  no stage looks at v_motor: the stages close no loop\n");
+        let lines = format!(
+            "axis X: cycle 1000 us, {position}\n  no stage looks at v_motor or v_direct: the stages close no loop\n"
+        );
         assert_eq!(generator::analysis::text(&set.axes[0]), lines);
     }
 }

@@ -10,11 +10,14 @@ use generator::codes;
 use identification::figures::{self, Left, Vibration};
 use identification::proposals::{self, Kind, Prediction, Refused, first, propose, try_out};
 use identification::response::Lines;
+use identification::scenarios::MOST_STAGES;
 use identification::shape::Shape;
 use std::ops::Range;
 
 /// Micrometres of a metre.
 const UM: f64 = 1e6;
+/// A following error above this many times that without stages gets a warning.
+const MUCH_ERROR: f64 = 5.0;
 /// The largest v_add_max_fact [0.1 %] (P-AXIS-00757).
 const LARGEST_LIMIT: f64 = 2000.0;
 
@@ -71,6 +74,7 @@ impl Task<'_> {
             verdicts.push(Verdict::note(codes::HARDLY_USEFUL, found, instead));
         }
         self.find_limit(&all, verdicts);
+        find_error(&all, verdicts);
         all
     }
 
@@ -165,7 +169,9 @@ impl Task<'_> {
         let (cycle, stages) = (self.axis.cycle_time(), responses(self.axis.cycle_time()));
         let vibrations: Vec<_> = self.chosen.iter().map(|chosen| (chosen.mode, chosen.hz)).collect();
         let Some(found) = first(&vibrations, cycle, self.gains(), &*stages) else {
-            verdicts.push(self.said(Refused::Vibrations(vibrations.len())));
+            let is_one_each = (1..=MOST_STAGES).contains(&vibrations.len());
+            let refused = if is_one_each { Refused::NoWeight } else { Refused::Vibrations(vibrations.len()) };
+            verdicts.push(self.said(refused));
             return Vec::new();
         };
         let said = "the response of the drive is not known: 10 % of the largest weight with a usual drive";
@@ -230,6 +236,19 @@ fn settled(all: Vec<Proposal>, verdicts: &mut Vec<Verdict>) -> Vec<Proposal> {
     let said = if remaining.is_empty() { Verdict::refusal } else { Verdict::note };
     verdicts.push(said(codes::UNSETTLED, found, instead));
     remaining
+}
+
+/// Whether the axis leaves its path with the stages, although it vibrates less.
+fn find_error(all: &[Proposal], verdicts: &mut Vec<Verdict>) {
+    let error = |of: &Proposal| of.predicted.as_ref()?.effect.following_error.filter(|error| *error > MUCH_ERROR);
+    let far: Vec<String> = all.iter().filter_map(|of| Some(format!("{} x{:.2}", of.kind.word(), error(of)?))).collect();
+    if !far.is_empty() {
+        let found =
+            format!("the peak of the following error grows to many times that without stages: {}", far.join(", "));
+        let instead =
+            "choose a proposal with less, or a smaller weight; see whether the axis still reaches its position in time";
+        verdicts.push(Verdict::note(codes::MUCH_FOLLOWING_ERROR, found, instead));
+    }
 }
 
 /// Stages as parameters; one whose weight is rounded down to 0 would not be a valid stage, and is left out.

@@ -117,7 +117,12 @@ fn stages_that_are_none() {
     said("mode=DIREKT,fg_f0=53,q_factor=10", &["error[AX"]);
     assert_said(&folder, &[good; 4], 2, &["error[AX011]", "4 stages"]);
     let restless = "mode=DIRECT,fg_f0=3,q_factor=5,weight=5";
-    assert_said(&folder, &[restless], 0, &["warning[AX529]", "more after stops than without stages: given x"]);
+    assert_said(
+        &folder,
+        &[restless],
+        0,
+        &["warning[AX529]", "more after stops than without stages: given x", "warning[AX548]"],
+    );
     assert_said(&folder, &["set"], 1, &["error[AX522]", "no stage is active"]);
     assert_said(&folder, &["mode=SET_POINT,osc_damping=0.5,fg_f0=53,q_factor=5"], 1, &["error[AX522]", "SET_POINT"]);
     assert_said(&folder, &["mode=DIRECT,direct_source=v_direct,fg_f0=53,q_factor=5"], 1, &["error[AX522]"]);

@@ -86,10 +86,7 @@ fn effect(designed: &Designed) -> Section {
 /// The loop: as `analyze` prints and draws it.
 fn in_loop(designed: &Designed) -> Section {
     let analysis = analysis::analyze(designed, &designed.axis.drive);
-    let lines = match analysis.drives.is_empty() {
-        true => vec!["no stage looks at v_motor: the stages close no loop".to_owned()],
-        false => Vec::new(),
-    };
+    let lines = analysis::outside(designed, analysis.drives.is_empty()).into_iter().collect();
     let pictures = golden::analysis::picture(designed, &analysis).into_iter().collect();
     Section { id: "loop", title: "Loop and margins", lines, tables: tables::margins(&analysis), pictures }
 }

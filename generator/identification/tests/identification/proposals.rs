@@ -262,3 +262,23 @@ fn first_stages_without_a_response() {
     let truth = true_ms(&Impulse::of(&DEMONSTRATION), &found, 0.0);
     assert!(truth < 1.4, "{truth}");
 }
+
+/// At the frequency of the vibration, by hand: |R| with the drive that they assume.
+#[test]
+fn first_stages_excite_nothing() {
+    for (cycle, hz) in
+        [(1e-3, 30.0), (1e-3, 110.0), (1e-3, 140.0), (2e-3, 70.0), (2e-3, 110.0), (4e-3, 50.0), (4e-3, 70.0)]
+    {
+        for mode in [Mode::Direct, Mode::Indirect] {
+            let stages = |shape: &Shape| -> Box<dyn Fn(f64) -> Complex64> { response(shape, cycle) };
+            let found = first(&[(mode, hz)], cycle, [None; 2], &stages).unwrap();
+            let z = Complex64::from_polar(1.0, -TAU * hz * cycle);
+            let e = libm::exp(-cycle / 3e-3);
+            let p = Complex64::from_polar(1.0, -TAU * hz * cycle * 1.5) * (1.0 - e) / (1.0 - e * z);
+            let c: Complex64 =
+                found.iter().map(|(shape, weight)| response(shape, cycle)((PI * hz * cycle).tan()) * *weight).sum();
+            let left = 1.0 / (1.0 - c * p).norm();
+            assert!(left < 0.97, "{mode:?} {hz} Hz, cycle {cycle} s: {left}");
+        }
+    }
+}

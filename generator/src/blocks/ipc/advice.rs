@@ -43,7 +43,7 @@ pub(crate) fn advise(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
             no_denominator(e, i, &design.stage);
             resonance(e, i, &design.stage);
             frequencies(e, i, &design.stage, axis.cycle_time_ns);
-            phase::advise(e, i, design, axis.ipc.delay_cycles);
+            phase::advise(e, i, design, &axis.ipc);
         }
     }
     overlaps(designed, e);

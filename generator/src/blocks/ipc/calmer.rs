@@ -2,11 +2,12 @@
 
 use super::closed_loop::{acts_through_position, position_words};
 use super::stage::StageDesign;
-use crate::axis::Mode;
+use crate::axis::{DirectSource, Mode};
 use crate::blocks::designed::Designed;
 use crate::config::values::Key;
 use crate::number::down_to;
 use crate::parameters::Name;
+use portable::Extreme;
 use stability::{Loop, MAX_MS};
 
 /// The loop without the stages that take `v_command`.
@@ -22,8 +23,12 @@ pub(super) fn place(stage: usize) -> Key {
     (Name::WeightFactNum, [u32::try_from(stage).expect("design: there are three stages"), 0])
 }
 
-/// The position loop through which a stage acts; empty for one that looks at the motor.
+/// The loop through which a stage acts; empty for one that looks at the motor.
 pub(super) fn through(designed: &Designed, design: &StageDesign) -> String {
+    let given = designed.axis.ipc.stage[design.index].as_ref().map(|stage| stage.mode);
+    if given == Some(Mode::Direct { source: DirectSource::Direct }) {
+        return "; it is judged as on a rigid axis, where v_direct is v_motor".to_owned();
+    }
     let is_through = acts_through_position(&designed.axis.control, design.stage.mode);
     let position = position_words(designed).filter(|_| is_through);
     position.map_or_else(String::new, |position| format!("; SET_POINT acts inside the position loop ({position})"))
@@ -45,7 +50,8 @@ pub(super) fn calmer(designed: &Designed, closed: &Loop<'_>, design: &StageDesig
             None => format!("a weight of at most {}, up to which the loop stays calm (Ms <= {MAX_MS})", down(calm)),
         },
         false => {
-            let [own, others] = [design.stage.weight() * calm_part, calm_part * 100.0].map(down);
+            let own = design.stage.weight() * calm_part;
+            let [own, others] = [best(design).map_or(own, |best| own.smaller(best)), calm_part * 100.0].map(down);
             format!("a weight of {own}, and {others} % of the other weights")
         }
     };

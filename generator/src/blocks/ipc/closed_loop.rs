@@ -9,6 +9,7 @@ use crate::number::significant;
 use crate::parameters::Name;
 use reference::stage::Coeffs;
 use stability::{Band, Complex64, Controller, Drive, Points, STAGES};
+use std::borrow::Cow;
 
 /// Delay of a usual drive: one cycle for the command, and half a cycle for its hold.
 const USUAL_DELAY: f64 = 1.5;
@@ -95,6 +96,31 @@ pub(crate) fn looks_at_motor(mode: Mode) -> bool {
         Mode::Direct { source: DirectSource::Motor } | Mode::Indirect { .. } => true,
         Mode::Direct { source: DirectSource::Direct } | Mode::SetPoint { .. } => false,
     }
+}
+
+/// The axis with a rigid load, on which `v_direct` is `v_motor`; the parameters stay as they are.
+pub(super) fn on_a_rigid_axis(designed: &Designed) -> Cow<'_, Designed> {
+    let [from_load, from_motor] = [DirectSource::Direct, DirectSource::Motor].map(|source| Mode::Direct { source });
+    let mut rigid = Cow::Borrowed(designed);
+    for i in 0..STAGES {
+        if designed.stage[i].as_ref().is_some_and(|design| design.stage.mode == from_load) {
+            rigid.to_mut().stage[i].iter_mut().for_each(|design| design.stage.mode = from_motor);
+        }
+    }
+    rigid
+}
+
+/// The stages that look at the load: what lies between motor and load is not known, so that no analysis of the loop has them.
+pub(crate) fn not_judged(designed: &Designed) -> Option<String> {
+    let from_load = Mode::Direct { source: DirectSource::Direct };
+    let stages = designed.stage.iter().flatten().filter(|design| design.stage.mode == from_load);
+    let stages: Vec<String> = stages.map(|design| design.index.to_string()).collect();
+    (!stages.is_empty()).then(|| {
+        format!(
+            "stage {} looks at v_direct: it closes a loop through the load that is not judged here",
+            stages.join(", ")
+        )
+    })
 }
 
 /// Whether a stage closes a loop through the position controller of the CNC, whose output it takes.

@@ -4,7 +4,7 @@
 use super::filter as kinds;
 use super::filter::FilterDesign;
 use super::stage::StageDesign;
-use crate::axis::{Mode, Stage};
+use crate::axis::{Enable, Ipc, Mode, Stage};
 use crate::design::band::warped;
 use crate::parameters::words::{DirectSource, FilterType};
 use crate::parameters::{FILTERS, Name, real_text};
@@ -20,24 +20,26 @@ const MUCH_DELAY: f64 = 60.0;
 const NEARLY_INVERTED: f64 = 10.0;
 
 /// Warns if the phase of an active stage may differ from the user's expectation.
-pub(crate) fn advise(e: &mut Effective<'_>, i: u32, design: &StageDesign, delay_cycles: Option<u32>) {
-    direct_source(e, i, &design.stage);
-    delay(e, i, design, delay_cycles);
+pub(crate) fn advise(e: &mut Effective<'_>, i: u32, design: &StageDesign, ipc: &Ipc) {
+    direct_source(e, i, &design.stage, ipc.enable);
+    delay(e, i, design, ipc.delay_cycles);
     polarity(e, i, design);
 }
 
-/// Warns that feedback from the load lags more than feedback from the motor.
-fn direct_source(e: &mut Effective<'_>, i: u32, stage: &Stage) {
+/// Warns that feedback from the load lags more than feedback from the motor. An all-pass at a wrong frequency makes it worse,
+/// and only the machine shows which one is right.
+fn direct_source(e: &mut Effective<'_>, i: u32, stage: &Stage, enable: Enable) {
     let from_load = stage.mode == Mode::Direct { source: DirectSource::Direct };
-    if from_load && !(has_allpass(stage) && stage.weight() <= 1.0) {
+    if from_load && !(has_allpass(stage) && stage.weight() <= 1.0 && enable != Enable::On) {
         let found = format!(
             "stage[{i}] feeds back v_direct, which lags by the drive, the mechanics and the delay: beyond 90 degrees at \
-             f0 an all-pass is mandatory, or the loop is unstable"
+             f0 an all-pass that gives back just this lag is mandatory, or the loop is unstable; the mechanics are not known"
         );
-        let instead = match has_allpass(stage) {
-            true => "a weight of at most 1".to_owned(),
-            false => format!("an ALLPASS in filter[{}], and a weight of at most 1", 1 - stage.first_bandpass()),
+        let allpass = match has_allpass(stage) {
+            true => String::new(),
+            false => format!("an ALLPASS in filter[{}], ", 1 - stage.first_bandpass()),
         };
+        let instead = format!("{allpass}a weight of at most 1, and enable DRYRUN until the machine has shown the lag");
         e.warn(codes::LAG, (Name::DirectSource, [i, 0]), found, Some(instead));
     }
 }

@@ -1,7 +1,7 @@
 //! Stages that make their loop unstable even with an ideal drive: a warning, and an error if the block starts ON.
 
 use super::calmer::{calmer, place, through, without_set_point};
-use super::closed_loop::{Known, acts_through_position, points, stages};
+use super::closed_loop::{Known, acts_through_position, on_a_rigid_axis, points, stages};
 use super::usual;
 use crate::axis::Enable;
 use crate::blocks::designed::Designed;
@@ -20,7 +20,11 @@ use std::slice::from_ref;
 /// it needs a drive whose lag was measured. Such a set starts ON only if it states the drive that makes its loop stable
 /// (`drive.delay`, `drive.time_constant`, `drive.response`), or consents (`accept_unstable`). Returns whether it has reported
 /// SET_POINT as the reason.
+///
+/// What lies between motor and load is not known: stages that look at `v_direct` are judged as on a rigid axis. A load that
+/// can oscillate needs less.
 pub(super) fn advise(designed: &Designed, gear: u32, e: &mut Effective<'_>) -> bool {
+    let designed = &*on_a_rigid_axis(designed);
     let axis = &designed.axis;
     if axis.control.master.is_some() {
         // A gantry slave's block never acts.
