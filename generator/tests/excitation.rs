@@ -3,6 +3,7 @@
 
 #![expect(clippy::cast_possible_truncation, reason = "random bits")]
 
+use crate::inside::sets::Random;
 use crate::response_file::DEMONSTRATION_PLANT;
 use crate::set_of;
 use generator::blocks::{Design, Designed};
@@ -123,27 +124,12 @@ fn the_button_and_the_motor_end_it() {
     }
 }
 
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0
-    }
-
-    fn below(&mut self, below: u64) -> u64 {
-        (self.next() >> 16) % below
-    }
-
-    /// Anything, or nearly what is expected.
-    fn word(&mut self, near: u32) -> u32 {
-        match self.below(3) {
-            0 => self.next() as u32,
-            1 => near.wrapping_add(self.below(3) as u32).wrapping_sub(1),
-            _ => self.below(u64::from(near) + 1) as u32,
-        }
+/// Anything, or nearly what is expected.
+fn word(random: &mut Random, near: u32) -> u32 {
+    match random.below(3) {
+        0 => random.next() as u32,
+        1 => near.wrapping_add(random.below(3) as u32).wrapping_sub(1),
+        _ => random.below(near as usize + 1) as u32,
     }
 }
 
@@ -155,9 +141,9 @@ fn never_above<R: Real>(coeffs: &Coeffs<R>, random: &mut Random) {
             let mut bit = || random.below(2) == 0;
             (state.held, state.active, state.ends, state.complete) = (bit(), bit(), bit(), bit());
             (state.reversed, state.forward) = (bit(), bit());
-            (state.fade, state.register) = (random.word(coeffs.fade_cycles), random.word(coeffs.ones));
-            (state.cycle, state.clock) = (random.word(coeffs.clock), random.word(coeffs.ones));
-            state.period = random.word(coeffs.periods);
+            (state.fade, state.register) = (word(random, coeffs.fade_cycles), word(random, coeffs.ones));
+            (state.cycle, state.clock) = (word(random, coeffs.clock), word(random, coeffs.ones));
+            state.period = word(random, coeffs.periods);
         }
         let v_motor = match random.below(30) {
             0 => f64::from_bits(random.next()),

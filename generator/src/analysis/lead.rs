@@ -1,11 +1,14 @@
 //! The effect of stages at each other's f0, their group delay, and the all-pass that compensates the lag of a loop.
 
 use crate::axis::{Filter, Mode};
+use crate::blocks::Designed;
+use crate::blocks::ipc::closed_loop::{self, Known};
 use crate::blocks::ipc::filter as kinds;
 use crate::blocks::ipc::stage::StageDesign;
 use crate::design::band::{band, warped};
 use crate::design::response::{self, magnitude};
 use reference::design::inputs::LARGEST_SHARE;
+use stability::Loop;
 use std::f64::consts::PI;
 
 /// Quality factor of the proposed all-pass: flat enough not to narrow the stage, steep enough to reach most leads.
@@ -30,6 +33,18 @@ pub(super) fn interaction(of: &StageDesign, other: &StageDesign) -> f64 {
     let t = warped(of.stage.f0(), of.cycle_time);
     let [own, others] = [of, other].map(|design| magnitude(response::of_stage(&design.coeffs, t)));
     others / own
+}
+
+/// The largest calm weight of a stage with a drive, and |S| at its f0 with it; `None` if no stage closes a loop.
+pub(super) fn at_best(designed: &Designed, of: &StageDesign, drive: &Known) -> Option<[f64; 2]> {
+    let points = closed_loop::points(designed, std::slice::from_ref(drive), designed.axis.drive.position_gain)?;
+    let closed = Loop::new(&points, drive.drive());
+    let [_, calm] = closed.largest_weights(of.index);
+    let mut weight =
+        designed.stage.each_ref().map(|design| design.as_ref().map_or(0.0, |design| design.stage.weight()));
+    weight[of.index] = calm;
+    let open = closed.with(weight).at_frequency(of.stage.f0()).open;
+    Some([calm, 1.0 / (1.0 + open).norm()])
 }
 
 /// Quality factor and f0 [Hz] of the all-pass that gives a stage `lead` degrees of lead at its f0. `None` if the stage

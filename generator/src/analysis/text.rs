@@ -2,6 +2,7 @@
 //! alone.
 
 use super::{Analysis, OfDrive, OfStage, analyze, lead};
+use crate::axis::Filter;
 use crate::blocks::ipc::closed_loop;
 use crate::blocks::ipc::stage::StageDesign;
 use crate::blocks::{Designed, Reserve};
@@ -120,13 +121,14 @@ fn parameters(designed: &Designed, with: &OfDrive) -> Vec<String> {
             .collect();
         let delay = significant(lead::group_delay(of) * 1e3, 3);
         lines.push(format!("  stage {index} at {} Hz: group delay {delay} ms{}", significant(f0, 4), others.concat()));
-        lines.extend(lag(of, with));
+        lines.extend(lag(designed, of, with));
     }
     lines
 }
 
-/// The lag of the drive at the f0 of a stage, and the all-pass that compensates it.
-fn lag(of: &StageDesign, with: &OfDrive) -> Option<String> {
+/// The lag of the drive at the f0 of a stage, and the all-pass that compensates it. Where none is mandatory, one is proposed
+/// only if less is left of the vibration with it, both times with the largest calm weight: it turns other frequencies too.
+fn lag(designed: &Designed, of: &StageDesign, with: &OfDrive) -> Option<String> {
     let lag = with.lag.iter().find(|(stage, _)| *stage == of.index)?.1;
     if lag < WORTH_A_TRY {
         return None;
@@ -135,11 +137,19 @@ fn lag(of: &StageDesign, with: &OfDrive) -> Option<String> {
     let proposal = match lead::allpass(of, lag) {
         Some([q_factor, f0]) => {
             let k = 1 - of.stage.first_bandpass();
-            format!(
-                "an all-pass {word}: filter[{k}] with type ALLPASS, fg_f0 {}, q_factor {}",
-                digits(f0),
-                significant(q_factor, 3)
-            )
+            let mut turned = designed.axis.clone();
+            let filter = Filter::Allpass { f0, q_factor };
+            turned.ipc.stage[of.index].iter_mut().for_each(|stage| stage.filter[k as usize] = filter.clone());
+            let at_best = |designed: &Designed| lead::at_best(designed, of, &with.drive);
+            match (at_best(designed), at_best(&Designed::from(turned))) {
+                (Some([_, left]), Some([calm, turned])) if lag > MANDATORY || turned < left => format!(
+                    "an all-pass {word}: filter[{k}] with type ALLPASS, fg_f0 {}, q_factor {}; calm up to {} with it",
+                    digits(f0),
+                    significant(q_factor, 3),
+                    down_to(calm, 3)
+                ),
+                _ => "an all-pass would not help".to_owned(),
+            }
         }
         None => "no all-pass can be added that gives it back".to_owned(),
     };

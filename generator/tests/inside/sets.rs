@@ -131,7 +131,7 @@ fn f0(random: &mut Random, cycle_time_ns: u32, lowest: f64) -> f64 {
 pub struct Random(pub u64);
 
 impl Random {
-    fn next(&mut self) -> u64 {
+    pub fn next(&mut self) -> u64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
