@@ -139,7 +139,7 @@ fn lag(designed: &Designed, of: &StageDesign, with: &OfDrive) -> Option<String> 
             let k = 1 - of.stage.first_bandpass();
             let mut turned = designed.axis.clone();
             let filter = Filter::Allpass { f0, q_factor };
-            turned.ipc.stage[of.index].iter_mut().for_each(|stage| stage.filter[k as usize] = filter.clone());
+            turned.ipc.stage[of.index].iter_mut().for_each(|stage| stage.filter[k as usize] = filter);
             let at_best = |designed: &Designed| lead::at_best(designed, of, &with.drive);
             match (at_best(designed), at_best(&Designed::from(turned))) {
                 (Some([_, left]), Some([calm, turned])) if lag > MANDATORY || turned < left => format!(
