@@ -73,7 +73,7 @@ fn cppcheck_finds_what_is_recorded() {
         Command::new(&command[0])
             .args(&command[1..])
             .args(["-j2", "--template=FOUND {id} in {file}:{line}: {message}"])
-            // It takes a minute for that one, and 20 s for the statements of the same kinds in axis_small_ipc. Self-tests are alike.
+            // It takes a minute for that one; axis_small_ipc has statements of the same kinds. Self-tests are alike.
             .args(sources.iter().filter(|source| !source.starts_with("axis_p_ipc")).filter(|source| {
                 is_every_level() || !source.ends_with("_self_test.c") || source.starts_with("axis_one")
             }))

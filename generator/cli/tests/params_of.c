@@ -1,5 +1,5 @@
-/* Runs the block BLOCK with the set that it was generated with, offers SET, then a damaged one with another number; writes the bytes of
-   SET if the block did with them what it says. Not a program yet: the test writes the names. */
+/* Runs the block BLOCK with the set that it was generated with, offers SET, then a damaged one with another number;
+   writes the bytes of SET if the block did with them what it says. The test replaces the names BLOCK and SET. */
 #include <stdio.h>
 #include "BLOCK.h"
 extern const BLOCK_params SET;

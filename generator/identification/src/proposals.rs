@@ -191,9 +191,10 @@ fn proposal(kind: Kind, search: &Search<'_, '_>, found: &Judged) -> Option<Propo
     })
 }
 
-/// First stages without a response: 10 % of the largest weights, Ms within 2, with a drive of 1.5 cycles and 3 ms. Modes and
-/// frequencies [Hz] of the vibrations, one stage for each, with an all-pass where that drive lags by more than 90 degrees; Kv [1/s] of a position loop in the CNC, or in the drive. `None`
-/// without vibrations, with more vibrations than stages, or if no all-pass is possible.
+/// First stages without a response: 10 % of the largest weights, Ms within 2, with a drive of 1.5 cycles and 3 ms. A stage has
+/// an all-pass where that drive lags by more than 90 degrees, and is left out if none is possible. Modes and frequencies [Hz]
+/// of the vibrations, one stage for each; Kv [1/s] of a position loop in the CNC, or in the drive. `None` without vibrations,
+/// with more vibrations than stages, or if no stage remains.
 #[must_use]
 pub fn first(
     vibrations: &[(Mode, f64)],
@@ -212,15 +213,14 @@ pub fn first(
         Points::new(controller, &[drive])
     };
     let plain: Vec<(Shape, f64)> = vibrations.iter().map(shape).collect();
-    let with_lag = points(&plain);
-    let lag = |hz| Loop::new(&with_lag, drive).lag(hz);
-    let turned = plain.iter().map(|(shape, weight)| {
-        let lag = lag(shape.f0);
+    let without_allpass = points(&plain);
+    let turned = plain.iter().filter_map(|(shape, weight)| {
+        let lag = Loop::new(&without_allpass, drive).lag(shape.f0);
+        // Without it the stage would excite what it is to damp.
         let allpass = if lag > MANDATORY { Some(allpass(shape.f0, lag, cycle_time)?) } else { None };
         Some((Shape { allpass, ..*shape }, *weight))
     });
-    // Without the all-pass a stage would excite what it is to damp.
-    let mut of: Vec<(Shape, f64)> = turned.flatten().collect();
+    let mut of: Vec<(Shape, f64)> = turned.collect();
     if of.is_empty() {
         return None;
     }

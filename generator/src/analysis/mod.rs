@@ -3,7 +3,7 @@
 mod lead;
 mod text;
 
-pub use crate::blocks::ipc::closed_loop::Known;
+pub use crate::blocks::ipc::closed_loop::{Known, looks_at_load, looks_at_motor, on_a_rigid_axis};
 pub use text::{STAGE, headline, margins, outside, stage_cells, text};
 
 use crate::axis::{DriveModel, Stage};
@@ -77,7 +77,7 @@ fn of_drive(designed: &Designed, points: &Points<'_>, drive: Known) -> OfDrive {
     };
     let stages = closed_loop::stages(designed).map(stage).collect();
     let lag = |design: &StageDesign| (design.index, closed.lag(design.stage.f0()));
-    let motor = closed_loop::stages(designed).filter(|design| closed_loop::looks_at_motor(design.stage.mode));
+    let motor = closed_loop::stages(designed).filter(|design| looks_at_motor(design.stage.mode));
     let lag = motor.map(lag).collect();
     let (margins, curve) = (closed.margins(), curve(designed, &closed));
     OfDrive { drive, margins, stages, lag, curve }

@@ -35,7 +35,7 @@ pub fn text(designed: &Designed) -> String {
     lines.iter().map(|line| format!("{line}\n")).collect()
 }
 
-/// What the analysis leaves out; where it has no loop, that there is none.
+/// The stages that the analysis leaves out, or the statement that no stage closes a loop.
 #[must_use]
 pub fn outside(designed: &Designed, is_empty: bool) -> Option<String> {
     let none = || is_empty.then(|| "no stage looks at v_motor or v_direct: the stages close no loop".to_owned());
@@ -137,12 +137,12 @@ fn lag(designed: &Designed, of: &StageDesign, with: &OfDrive) -> Option<String> 
     let proposal = match lead::allpass(of, lag) {
         Some([q_factor, f0]) => {
             let k = 1 - of.stage.first_bandpass();
-            let mut turned = designed.axis.clone();
-            let filter = Filter::Allpass { f0, q_factor };
-            turned.ipc.stage[of.index].iter_mut().for_each(|stage| stage.filter[k as usize] = filter);
+            let mut axis = designed.axis.clone();
+            let filters = axis.ipc.stage[of.index].iter_mut().map(|stage| &mut stage.filter[k as usize]);
+            filters.for_each(|filter| *filter = Filter::Allpass { f0, q_factor });
             let at_best = |designed: &Designed| lead::at_best(designed, of, &with.drive);
-            match (at_best(designed), at_best(&Designed::from(turned))) {
-                (Some([_, left]), Some([calm, turned])) if lag > MANDATORY || turned < left => format!(
+            match (at_best(designed), at_best(&Designed::from(axis))) {
+                (Some([_, without]), Some([calm, left])) if lag > MANDATORY || left < without => format!(
                     "an all-pass {word}: filter[{k}] with type ALLPASS, fg_f0 {}, q_factor {}; calm up to {} with it",
                     digits(f0),
                     significant(q_factor, 3),

@@ -62,8 +62,8 @@ impl Plan {
     /// Adds the irregular calls and their resets.
     fn add_irregular(&mut self, calls: Calls) {
         IRREGULAR.iter().for_each(|(after, more)| self.ahead(*after, calls.counter, Literal::U32(*more)));
-        for (after, reset) in RESETS.iter().zip([calls.reset; RESETS.len()]) {
-            reset.into_iter().for_each(|reset| self.ahead(*after, reset, Literal::Bool(true)));
+        if let Some(reset) = calls.reset {
+            RESETS.iter().for_each(|after| self.ahead(*after, reset, Literal::Bool(true)));
         }
         self.next += RESETS[1] + TURN_DISTANCE;
     }

@@ -6,6 +6,7 @@ use super::row::{Moved, Row};
 use crate::case::named_block;
 use crate::drive::{AtLimit, AxisDrive, margins};
 use crate::subject::Subject;
+use generator::analysis::looks_at_load;
 use generator::blocks::Designed;
 use machine::Machine;
 use machine::closed_loop::{self, Position, Record, Signals, UM};
@@ -126,7 +127,7 @@ impl Setting {
         let record = self.run(&self.sequence, &mut cycle);
         let loop_of = if mode == ON { designed.clone() } else { only(designed, None) };
         let (is_judged, ms) = match &self.moving {
-            Moving::Plant(_) if margins::looks_at_load(&loop_of) => (false, None),
+            Moving::Plant(_) if loop_of.stage.iter().flatten().any(|of| looks_at_load(of.stage.mode)) => (false, None),
             Moving::Plant(of_plant) => (true, of_plant.ms(&loop_of)),
             Moving::Drive(drive) => (true, margins::ms(&loop_of, &drive.model)),
         };

@@ -14,6 +14,7 @@ pub use identification::proposals::Prediction;
 pub use proposal::Proposal;
 
 use crate::measure::{Channel, Measured, Quantity, Record, Verdict, find_error_unit, is_same_interval};
+use generator::analysis::looks_at_motor;
 use generator::axis::{Axis, Stage};
 use generator::blocks::Designed;
 use generator::codes;
@@ -182,10 +183,8 @@ fn is_usable(axis: &Axis, moves: &Measured, records: &[&Record], tuning: &mut Tu
 fn of_another_time(axis: &Axis, record: &Record, verdicts: &mut Vec<Verdict>) {
     let stages: Vec<Stage> = axis.ipc.stage.iter().flatten().cloned().collect();
     let pair = record.get("v_motor").zip(record.get("v_add_calculated"));
-    let Some((v_motor, calculated)) = pair.filter(|_| !stages.is_empty() && stages.iter().all(stage::looks_at_motor))
-    else {
-        return;
-    };
+    let all_look_at_motor = !stages.is_empty() && stages.iter().all(|stage| looks_at_motor(stage.mode));
+    let Some((v_motor, calculated)) = pair.filter(|_| all_look_at_motor) else { return };
     let (cycle, of) = (axis.cycle_time(), stage::controller(&stages, axis.cycle_time(), None));
     let c = |hz: f64| (of.stage)(libm::tan(std::f64::consts::PI * hz * cycle)).iter().sum();
     let Some(time) = offset::between(v_motor, calculated, cycle, c) else { return };

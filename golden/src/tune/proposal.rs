@@ -1,7 +1,7 @@
 //! Proposals as data: stages and their effect, or the reason why there are none.
 
 use super::chosen::Chosen;
-use super::stage::{controller, looks_at_motor, responses, rounded};
+use super::stage::{controller, responses, rounded};
 use crate::measure::{Record, Verdict};
 use generator::analysis;
 use generator::axis::{Axis, Stage};
@@ -16,7 +16,7 @@ use std::ops::Range;
 
 /// Micrometres of a metre.
 const UM: f64 = 1e6;
-/// A following error above this many times that without stages gets a warning.
+/// A proposal gets a warning if its following error is larger than that without stages by more than this factor.
 const MUCH_ERROR: f64 = 5.0;
 /// The largest v_add_max_fact [0.1 %] (P-AXIS-00757).
 const LARGEST_LIMIT: f64 = 2000.0;
@@ -141,7 +141,7 @@ impl Task<'_> {
             let instead = "give --stage with mode=DIRECT or mode=INDIRECT";
             return refuse(codes::NOT_PREDICTED, "no stage is active".to_owned(), instead);
         }
-        if let Some(other) = all.iter().find(|stage| !looks_at_motor(stage)) {
+        if let Some(other) = all.iter().find(|stage| !analysis::looks_at_motor(stage.mode)) {
             // SET_POINT may act inside the position loop.
             let of_axis = analysis::analyze(&Designed::from(self.axis.clone()), &self.axis.drive);
             if let Some(of) = of_axis.drives.first().filter(|of| !of.margins.stable) {
@@ -238,7 +238,7 @@ fn settled(all: Vec<Proposal>, verdicts: &mut Vec<Verdict>) -> Vec<Proposal> {
     remaining
 }
 
-/// Whether the axis leaves its path with the stages, although it vibrates less.
+/// Warns of proposals with which the axis lags far behind its command, although it vibrates less.
 fn find_error(all: &[Proposal], verdicts: &mut Vec<Verdict>) {
     let error = |of: &Proposal| of.predicted.as_ref()?.effect.following_error.filter(|error| *error > MUCH_ERROR);
     let far: Vec<String> = all.iter().filter_map(|of| Some(format!("{} x{:.2}", of.kind.word(), error(of)?))).collect();

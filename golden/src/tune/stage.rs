@@ -39,11 +39,6 @@ fn with_weight_1(shape: &Shape) -> Stage {
     Stage { mode, weight_fact_num: 1, weight_fact_denom: 1, filter: [bandpass, allpass.unwrap_or(Filter::NoFilter)] }
 }
 
-/// Whether a stage closes a loop through the velocity of the motor: only of such a one the effect is known.
-pub(super) fn looks_at_motor(stage: &Stage) -> bool {
-    matches!(stage.mode, Mode::Direct { source: DirectSource::Motor } | Mode::Indirect { .. })
-}
-
 /// The controller of stages, as blocks have it.
 pub(super) fn controller(stages: &[Stage], cycle_time: f64, position_gain: Option<f64>) -> Controller<'static> {
     let responses: Vec<_> = stages.iter().map(|stage| analysis::of_stage(stage, cycle_time)).collect();

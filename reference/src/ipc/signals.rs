@@ -77,7 +77,10 @@ macro_rules! outputs {
 
 pub(crate) use outputs;
 
-outputs! { "the sum of the stages is above the limit (P-AXIS-00757, in 0.1 % of P-AXIS-00212, or a smaller one by tuning) in this cycle" }
+outputs! {
+    "the sum of the stages is above the limit (P-AXIS-00757, in 0.1 % of P-AXIS-00212, or a smaller one by tuning) in this \
+     cycle"
+}
 
 constants! {
     /// mode: the block is off

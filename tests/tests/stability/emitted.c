@@ -1,6 +1,6 @@
-/* The loop of a block `ipc` with the ideal drive, where the motor does what was commanded one cycle before: noise for 2 s, then 6 s
-   without a command; the last second against the first one of them, rms. Infinite where the last second is as large as the
-   limit makes it. Not a program: the test adds the blocks before it and `main` after it. */
+/* The loop of a block `ipc` with the ideal drive, whose motor does what was commanded one cycle before: noise for 2 s,
+   then 6 s without a command; the last second against the first one of them, rms. Infinite where the last second is as
+   large as the limit makes it. The test puts the blocks before this text, and `main` after it. */
 #include <math.h>
 #include <stdio.h>
 static uint32_t seed = 1u;

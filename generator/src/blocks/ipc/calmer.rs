@@ -1,8 +1,8 @@
 //! What a message about a loop says of a stage: its place, the loop that it acts through, and the weight that keeps the loop calm.
 
-use super::closed_loop::{acts_through_position, position_words};
+use super::closed_loop::{acts_through_position, looks_at_load, position_words};
 use super::stage::StageDesign;
-use crate::axis::{DirectSource, Mode};
+use crate::axis::Mode;
 use crate::blocks::designed::Designed;
 use crate::config::values::Key;
 use crate::number::down_to;
@@ -25,8 +25,8 @@ pub(super) fn place(stage: usize) -> Key {
 
 /// The loop through which a stage acts; empty for one that looks at the motor.
 pub(super) fn through(designed: &Designed, design: &StageDesign) -> String {
-    let given = designed.axis.ipc.stage[design.index].as_ref().map(|stage| stage.mode);
-    if given == Some(Mode::Direct { source: DirectSource::Direct }) {
+    // The design is that on a rigid axis; the parameters are as they were given.
+    if designed.axis.ipc.stage[design.index].as_ref().is_some_and(|given| looks_at_load(given.mode)) {
         return "; it is judged as on a rigid axis, where v_direct is v_motor".to_owned();
     }
     let is_through = acts_through_position(&designed.axis.control, design.stage.mode);

@@ -91,29 +91,36 @@ fn milliseconds(time: f64) -> String {
 }
 
 /// Whether a stage looks at the velocity of the motor.
-pub(crate) fn looks_at_motor(mode: Mode) -> bool {
+#[must_use]
+pub fn looks_at_motor(mode: Mode) -> bool {
     match mode {
         Mode::Direct { source: DirectSource::Motor } | Mode::Indirect { .. } => true,
         Mode::Direct { source: DirectSource::Direct } | Mode::SetPoint { .. } => false,
     }
 }
 
-/// The axis with a rigid load, on which `v_direct` is `v_motor`; the parameters stay as they are.
-pub(super) fn on_a_rigid_axis(designed: &Designed) -> Cow<'_, Designed> {
-    let [from_load, from_motor] = [DirectSource::Direct, DirectSource::Motor].map(|source| Mode::Direct { source });
-    let mut rigid = Cow::Borrowed(designed);
-    for i in 0..STAGES {
-        if designed.stage[i].as_ref().is_some_and(|design| design.stage.mode == from_load) {
-            rigid.to_mut().stage[i].iter_mut().for_each(|design| design.stage.mode = from_motor);
-        }
-    }
-    rigid
+/// Whether a stage looks at the velocity of the load. What lies between motor and load is not known.
+#[must_use]
+pub fn looks_at_load(mode: Mode) -> bool {
+    mode == Mode::Direct { source: DirectSource::Direct }
 }
 
-/// The stages that look at the load: what lies between motor and load is not known, so that no analysis of the loop has them.
+/// The axis with a rigid load, on which `v_direct` is `v_motor`; the parameters stay as they are.
+#[must_use]
+pub fn on_a_rigid_axis(designed: &Designed) -> Cow<'_, Designed> {
+    if !designed.stage.iter().flatten().any(|design| looks_at_load(design.stage.mode)) {
+        return Cow::Borrowed(designed);
+    }
+    let mut rigid = designed.clone();
+    for design in rigid.stage.iter_mut().flatten().filter(|design| looks_at_load(design.stage.mode)) {
+        design.stage.mode = Mode::Direct { source: DirectSource::Motor };
+    }
+    Cow::Owned(rigid)
+}
+
+/// The stages that look at the load, which no analysis of the loop contains, in words.
 pub(crate) fn not_judged(designed: &Designed) -> Option<String> {
-    let from_load = Mode::Direct { source: DirectSource::Direct };
-    let stages = designed.stage.iter().flatten().filter(|design| design.stage.mode == from_load);
+    let stages = designed.stage.iter().flatten().filter(|design| looks_at_load(design.stage.mode));
     let stages: Vec<String> = stages.map(|design| design.index.to_string()).collect();
     (!stages.is_empty()).then(|| {
         format!(

@@ -1,12 +1,13 @@
 //! Warnings about a valid axis: the influences on the phase of a stage, which are the delay of its loop, the load and an
 //! all-pass.
 
+use super::closed_loop::looks_at_load;
 use super::filter as kinds;
 use super::filter::FilterDesign;
 use super::stage::StageDesign;
 use crate::axis::{Enable, Ipc, Mode, Stage};
 use crate::design::band::warped;
-use crate::parameters::words::{DirectSource, FilterType};
+use crate::parameters::words::FilterType;
 use crate::parameters::{FILTERS, Name, real_text};
 use crate::{codes, number::rounded, rules::effective::Effective};
 
@@ -29,8 +30,7 @@ pub(crate) fn advise(e: &mut Effective<'_>, i: u32, design: &StageDesign, ipc: &
 /// Warns that feedback from the load lags more than feedback from the motor. An all-pass at a wrong frequency makes it worse,
 /// and only the machine shows which one is right.
 fn direct_source(e: &mut Effective<'_>, i: u32, stage: &Stage, enable: Enable) {
-    let from_load = stage.mode == Mode::Direct { source: DirectSource::Direct };
-    if from_load && !(has_allpass(stage) && stage.weight() <= 1.0 && enable != Enable::On) {
+    if looks_at_load(stage.mode) && !(has_allpass(stage) && stage.weight() <= 1.0 && enable != Enable::On) {
         let found = format!(
             "stage[{i}] feeds back v_direct, which lags by the drive, the mechanics and the delay: beyond 90 degrees at \
              f0 an all-pass that gives back just this lag is mandatory, or the loop is unstable; the mechanics are not known"
