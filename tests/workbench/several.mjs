@@ -97,6 +97,13 @@ async function results(recordings) {
   const y = walk.slice(walk.indexOf("[axis.X]")).replaceAll("axis.X", "axis.Y").replace("achs_nr = 1", "achs_nr = 2");
   await drop(tab, [["walk.toml", `${walk}\n${y}`], ...recordings]);
   expect("there are proposals", (await run(tab, "tune-part")).includes("recommended"));
+  await tab.evaluate(async () => {
+    client.fail("stopped by the user");
+    await client.ready;
+  });
+  await click(tab, '[aria-label="Apply recommended"]');
+  expect(`a new worker has no proposals: ${await text(tab, "state")}`, (await text(tab, "state")).includes("not applied"));
+  await run(tab, "tune-part");
   await axis(tab, "Y");
   expect("no proposal of another axis is offered", !(await click(tab, '[aria-label="Apply recommended"]')));
   const refused = await tab.evaluate(async () => {
@@ -105,15 +112,8 @@ async function results(recordings) {
   });
   expect(`nor written: ${refused}`, refused.includes("were made for the axis X"));
   await axis(tab, "X");
-  await run(tab, "tune-part");
-  await tab.evaluate(async () => {
-    client.fail("stopped by the user");
-    await client.ready;
-  });
-  await click(tab, '[aria-label="Apply recommended"]');
-  expect(`a new worker has no proposals: ${await text(tab, "state")}`, (await text(tab, "state")).includes("not applied"));
-  await run(tab, "tune-part");
-  await click(tab, '[aria-label="Apply recommended"]');
+  await tab.evaluate(() => applied("recommended"));
+  await quiet(tab);
   const f0 = Number(await look(tab, "f00"));
   await tab.focus("#range-f00");
   await tab.keyboard.press("ArrowRight");

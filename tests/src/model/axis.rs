@@ -123,7 +123,7 @@ impl Axis {
         let is_fault = error_id != 0;
         let error_id = if error_id == 0 && is_tuning_held { 4 } else { error_id };
         let is_tripped = self.ipc.is_tripped();
-        debug_assert!(c.location == Location::Cnc || controlled.v_command.is_zero());
+        assert!(c.location == Location::Cnc || controlled.v_command.is_zero());
         vec![
             ("v_command", real(&controlled.v_command, c.u)),
             ("v_feedforward", real(&planned.v_feedforward, c.u)),
