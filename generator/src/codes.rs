@@ -548,7 +548,8 @@ codes! {
         "The distance of two lines is larger than those around. A curve through the lines replaces what was between them.";
     COARSE = "AX455", "lines of a response that are far apart",
         "A vibration as narrow as the stage needs lines at a quarter of the half-power width f0/Q, or it lies between two \
-         lines.";
+         lines. So does a resonance of the drive at which the response turns by more than 30 degrees from one line to the \
+         next: the largest calm weight may be far too large.";
     ENDS_EARLY = "AX456", "a frequency response that ends soon above a stage",
         "A stage with a large weight mostly loses its stability above f0. Beyond the last line the value of the last line \
          holds, which need not be true.";

@@ -66,7 +66,7 @@ fn parameters_digest(axis: &Axis, block: &str) -> String {
 pub fn units<'s>(set: &'s Set) -> Vec<Unit<'s>> {
     let unit = |of: &'s Designed| Unit {
         axis: &of.axis.name,
-        reals: blocks::of_axis(&of.axis).map(|kind| kind.arithmetic_of(of).real()).collect(),
+        reals: blocks::of_axis(&of.axis).map(|kind| kind.computes_in(of)).collect(),
         blocks: blocks::names(&of.axis),
         takes_sets: of.axis.ipc.takes_sets(),
     };

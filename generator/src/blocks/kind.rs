@@ -8,7 +8,7 @@ use crate::axis::Axis;
 use crate::exercise::{Drill, Run};
 use compiler::pass::Defect;
 use compiler::program::Program;
-use portable::{Block as Reference, Field, Literal, RealKind, Wide};
+use portable::{Block as Reference, Field, Literal, Real, RealKind};
 
 /// The interface of a block's folder: the results of an axis's parameters for a reference.
 pub trait BlockKind: Typed {
@@ -98,39 +98,16 @@ pub struct Details {
 }
 
 /// A reference that an axis may run.
-pub trait Design: Reference<f64> + Reference<f32> + Reference<Wide> + Sync + 'static {
+pub trait Design: Reference<f64> + Reference<<Self as Design>::Single> + Sync + 'static {
+    /// The real type with which it computes on an axis in single precision.
+    type Single: Real;
+
     /// Its coefficients, in double precision.
     fn design(designed: &Designed) -> <Self as Reference<f64>>::Coeffs;
-
-    fn arithmetic(designed: &Designed) -> Arithmetic {
-        match designed.axis.real {
-            RealKind::F64 => Arithmetic::Double,
-            RealKind::F32 => Arithmetic::Single,
-        }
-    }
 
     /// The block that an axis runs instead, if any.
     fn other(_: &Designed) -> Option<&'static dyn Typed> {
         None
-    }
-}
-
-/// The arithmetic of a block.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Arithmetic {
-    Double,
-    Single,
-    /// double precision, for a block in single precision
-    Wide,
-}
-
-impl Arithmetic {
-    /// Its real type.
-    pub fn real(self) -> RealKind {
-        match self {
-            Self::Double | Self::Wide => RealKind::F64,
-            Self::Single => RealKind::F32,
-        }
     }
 }
 
@@ -140,8 +117,8 @@ pub trait Typed: Sync {
     fn name(&self) -> &'static str;
     /// The inputs and the outputs of its block with their meanings.
     fn signals(&self) -> [&'static [Field]; 2];
-    /// The arithmetic of an axis's block.
-    fn arithmetic_of(&self, designed: &Designed) -> Arithmetic;
+    /// The real type with which an axis's block computes.
+    fn computes_in(&self, designed: &Designed) -> RealKind;
     /// The reference that an axis runs.
     fn typed(&self, designed: &Designed) -> &dyn Typed;
     #[expect(clippy::missing_errors_doc, reason = "that of BlockKind")]

@@ -31,7 +31,7 @@ pub(crate) use effects::{Effect, Effects, differences, differing, is_same};
 pub use ipc::feasibility::refusals;
 pub use ipc::row::{ActiveStage, Reserve, StageRow, WithDrive};
 pub(crate) use ipc::sets::shown;
-pub use kind::{Arithmetic, BlockKind, Design, Details, Summary, Typed};
+pub use kind::{BlockKind, Design, Details, Summary, Typed};
 pub use set_design::calls as calls_of_design;
 
 use crate::axis::Axis;

@@ -2,15 +2,16 @@
 
 use super::block::Block;
 use super::designed::Designed;
-use super::kind::{Arithmetic, BlockKind, Design, Typed};
+use super::kind::{BlockKind, Design, Typed};
 use crate::design::rounding::rounded;
 use crate::exercise::runner::{self, Runner};
-use crate::exercise::{self, Exercise, Run, Running, SelfTest, Trial, Wanted};
+use crate::exercise::{self, Exercise, Run, Running, SelfTest, Start, Trial, Wanted};
 use compiler::legalise;
 use compiler::pass::{self, Defect};
 use compiler::ranges::{self, Shown};
 use compiler::{arithmetic, leaves, program::Program, specialise, structure};
-use portable::{Block as Reference, Field, Literal, Portable, Real, Ty, Wide};
+use portable::{Block as Reference, Field, Literal, Portable, Real, RealKind, Ty};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// The last pass.
@@ -65,8 +66,11 @@ impl<B: Design> Typed for B {
         [<B as Reference<f64>>::Inputs::TY, <B as Reference<f64>>::Outputs::TY].map(|ty| fields(&ty))
     }
 
-    fn arithmetic_of(&self, designed: &Designed) -> Arithmetic {
-        B::arithmetic(designed)
+    fn computes_in(&self, designed: &Designed) -> RealKind {
+        match designed.axis.real {
+            RealKind::F64 => RealKind::F64,
+            RealKind::F32 => B::Single::KIND,
+        }
     }
 
     fn typed(&self, designed: &Designed) -> &dyn Typed {
@@ -74,34 +78,30 @@ impl<B: Design> Typed for B {
     }
 
     fn specialise(&self, kind: &dyn BlockKind, designed: &Designed, last: Option<&str>) -> Result<Program, Defect> {
-        match B::arithmetic(designed) {
-            Arithmetic::Double => program::<f64, B>(kind, designed, last),
-            Arithmetic::Single => program::<f32, B>(kind, designed, last),
-            Arithmetic::Wide => program::<Wide, B>(kind, designed, last),
+        match designed.axis.real {
+            RealKind::F64 => program::<f64, B>(kind, designed, last),
+            RealKind::F32 => program::<B::Single, B>(kind, designed, last),
         }
     }
 
     fn make(&self, kind: &dyn BlockKind, designed: &Designed) -> Result<Block, Defect> {
-        match B::arithmetic(designed) {
-            Arithmetic::Double => block::<f64, B>(kind, designed),
-            Arithmetic::Single => block::<f32, B>(kind, designed),
-            Arithmetic::Wide => block::<Wide, B>(kind, designed),
+        match designed.axis.real {
+            RealKind::F64 => block::<f64, B>(kind, designed),
+            RealKind::F32 => block::<B::Single, B>(kind, designed),
         }
     }
 
     fn run(&self, designed: &Designed) -> Box<dyn Run> {
-        match B::arithmetic(designed) {
-            Arithmetic::Double => Box::new(Running::<f64, B>::start(coefficients::<f64, B>(designed))),
-            Arithmetic::Single => Box::new(Running::<f32, B>::start(coefficients::<f32, B>(designed))),
-            Arithmetic::Wide => Box::new(Running::<Wide, B>::start(coefficients::<Wide, B>(designed))),
+        match designed.axis.real {
+            RealKind::F64 => Box::new(Running::<f64, B>::start(coefficients::<f64, B>(designed))),
+            RealKind::F32 => Box::new(Running::<B::Single, B>::start(coefficients::<B::Single, B>(designed))),
         }
     }
 
     fn numbers(&self, designed: &Designed) -> Vec<Literal> {
-        match B::arithmetic(designed) {
-            Arithmetic::Double => leaves(&coefficients::<f64, B>(designed)),
-            Arithmetic::Single => leaves(&coefficients::<f32, B>(designed)),
-            Arithmetic::Wide => leaves(&coefficients::<Wide, B>(designed)),
+        match designed.axis.real {
+            RealKind::F64 => leaves(&coefficients::<f64, B>(designed)),
+            RealKind::F32 => leaves(&coefficients::<B::Single, B>(designed)),
         }
     }
 
@@ -148,9 +148,24 @@ fn finished(kind: &dyn BlockKind, designed: &Designed, specialised: Program) -> 
 
 /// Specialises one block and records its run.
 fn block<R: Real, B: Design + Reference<R>>(kind: &dyn BlockKind, designed: &Designed) -> Result<Block, Defect> {
-    let coeffs = coefficients::<R, B>(designed);
+    let [coeffs, again] = [(); 2].map(|()| coefficients::<R, B>(designed));
     let notes = kind.notes(designed).into_iter().collect();
     let specialised = specialise::block::<R, B>(&coeffs, &notes);
+    let usual = Exercise::usual::<R, B>(&coeffs);
+    let later: Start = Box::new(|| Box::new(Running::<R, B>::start(again)));
+    recorded::<R>((kind, designed), specialised, notes, usual, &mut Running::<R, B>::start(coeffs), later)
+}
+
+/// A specialised block with its recorded run. `usual`: the inputs with which it does everything it can; `reference` and
+/// `later`: its reference before the first cycle.
+fn recorded<R: Real>(
+    (kind, designed): (&dyn BlockKind, &Designed),
+    specialised: Program,
+    notes: BTreeMap<String, String>,
+    usual: Vec<Literal>,
+    reference: &mut dyn Run,
+    later: Start,
+) -> Result<Block, Defect> {
     let structure = structure::of(&specialised);
     let state_paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
     let (program, shown) = finished(kind, designed, specialised)?;
@@ -163,12 +178,10 @@ fn block<R: Real, B: Design + Reference<R>>(kind: &dyn BlockKind, designed: &Des
         drill: kind.drill(designed),
         cycle_time_ns: designed.axis.cycle_time_ns,
     };
-    let exercise = Arc::new(Exercise::of::<R, B>(&coeffs, (&program, &for_axis), &state_paths, &wanted));
-    let self_test = SelfTest::record(&exercise, &mut Running::<R, B>::start(coeffs));
+    let exercise = Arc::new(Exercise::of::<R>(usual, (&program, &for_axis), &state_paths, &wanted));
+    let self_test = SelfTest::record(&exercise, reference);
     let trial = Trial::of(&exercise);
-    let numbers = coefficients::<R, B>(designed);
-    let start = || Box::new(Running::<R, B>::start(numbers)) as Box<dyn Run>;
-    let answers = exercise::recording(trial.clone(), &program, &state_paths, start);
+    let answers = exercise::recording(trial.clone(), &program, &state_paths, later);
     let purpose = kind.purpose(designed);
     Ok(Block { program, for_axis, purpose, notes, exercise, self_test, trial, answers, certificate, shown, structure })
 }

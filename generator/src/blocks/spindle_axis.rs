@@ -11,6 +11,8 @@ use reference::spindle_axis::{Coeffs, SpindleAxis};
 use reference::tunable_spindle_axis::{self, TunableSpindleAxis};
 
 impl Design for SpindleAxis {
+    type Single = f32;
+
     fn design(designed: &Designed) -> Coeffs<f64> {
         // A loop in a drive or in another block has its own encoder.
         let spindle = reference::spindle::Coeffs { closes_loop: !designed.spindle.in_drive, ..designed.spindle };
@@ -23,6 +25,8 @@ impl Design for SpindleAxis {
 }
 
 impl Design for TunableSpindleAxis {
+    type Single = f32;
+
     fn design(designed: &Designed) -> tunable_spindle_axis::Coeffs<f64> {
         let spindle_axis = SpindleAxis::design(designed);
         tunable_spindle_axis::Coeffs { sets: sets::coefficients(designed), spindle_axis }

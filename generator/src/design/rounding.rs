@@ -5,7 +5,6 @@ use reference::signal;
 
 /// The value with every real rounded once to the real type of `To`: [`Real::lit`]. `From` and `To` are one portable type
 /// with two real types.
-/// types.
 pub fn rounded<From: Portable, To: Portable>(value: &From, real: RealKind) -> To {
     let mut leaves = Vec::new();
     value.visit(&mut |leaf| {

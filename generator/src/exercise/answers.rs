@@ -21,16 +21,14 @@ pub(crate) struct Answer {
     pub(crate) changes: Vec<(usize, String)>,
 }
 
+/// A reference before its first cycle, made where it is needed.
+pub(crate) type Start = Box<dyn FnOnce() -> Box<dyn Run> + Send>;
+
 /// The answers, recorded where they are first looked at: not every target prints them.
 pub(crate) type RecordedAnswers = Arc<LazyLock<Vec<Answer>, Box<dyn FnOnce() -> Vec<Answer> + Send>>>;
 
 /// The recording, which runs the reference on first use; `state_paths` are the paths of all leaves of its state.
-pub(crate) fn recording(
-    trial: Trial,
-    program: &Program,
-    state_paths: &[String],
-    start: impl FnOnce() -> Box<dyn Run> + Send + 'static,
-) -> RecordedAnswers {
+pub(crate) fn recording(trial: Trial, program: &Program, state_paths: &[String], start: Start) -> RecordedAnswers {
     let works = Works::of(program, state_paths);
     Arc::new(LazyLock::new(Box::new(move || record(&trial, &mut *start(), works))))
 }

@@ -79,14 +79,20 @@ pub(crate) struct Calls {
 }
 
 impl Exercise {
-    /// The exercise of a block; `state_paths` are the paths of all leaves of the reference's state.
-    pub(crate) fn of<R: Real, B: Block<R>>(
-        coeffs: &B::Coeffs,
+    /// The inputs with which a block does everything it can.
+    pub(crate) fn usual<R: Real, B: Block<R>>(coeffs: &B::Coeffs) -> Vec<Literal> {
+        let mut inputs = B::inputs(coeffs);
+        B::exercise(&mut inputs, coeffs);
+        leaves(&inputs)
+    }
+
+    /// The exercise of a block from its usual inputs; `state_paths` are the paths of all leaves of the reference's state.
+    pub(crate) fn of<R: Real>(
+        mut usual: Vec<Literal>,
         (program, for_axis): (&Program, &AxisProgram),
         state_paths: &[String],
         wanted: &Wanted,
     ) -> Self {
-        let mut usual = exercised::<R, B>(coeffs);
         let (reals, signals) = (for_axis.reals(), for_axis.signals());
         let position = |path: &str| program.inputs.iter().position(|input| input.path == path);
         let signal = |path: &str| position(path).filter(|input| signals.contains(input));
@@ -144,13 +150,6 @@ impl Turn {
     pub(super) fn later(&self, by: usize) -> Self {
         Self { samples: self.samples.start + by..self.samples.end + by, ..self.clone() }
     }
-}
-
-/// The inputs with which a block does everything it can.
-fn exercised<R: Real, B: Block<R>>(coeffs: &B::Coeffs) -> Vec<Literal> {
-    let mut inputs = B::inputs(coeffs);
-    B::exercise(&mut inputs, coeffs);
-    leaves(&inputs)
 }
 
 /// A real of a drill in the real type of the block.

@@ -9,7 +9,7 @@ pub mod runner;
 mod self_test;
 mod trial;
 
-pub(crate) use answers::{Answer, RecordedAnswers, recording};
+pub(crate) use answers::{Answer, RecordedAnswers, Start, recording};
 pub use inputs::Drill;
 pub(crate) use inputs::{Exercise, Turn, Wanted};
 pub(crate) use noise::Noise;

@@ -152,7 +152,7 @@ pub fn read(file: &str, bytes: &[u8], from: From, cycle_time: f64, bands: &[Band
     let dead_time = phase::dead_time(&points, columns.value.phase_place(), from, cycle_time, &mut said);
     let has_errors = without_errors.is_none();
     without_errors.into_iter().for_each(|warning| said.push(warning));
-    reach::check(&points, &lines, bands, &mut said);
+    reach::check(&points, &lines, bands, dead_time, &mut said);
     said.usable(())?;
     let points = reach::with_information(points, bands, &mut said);
     let hz: Vec<f64> = points.iter().map(|point| point.hz).collect();

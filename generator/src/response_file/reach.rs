@@ -2,10 +2,11 @@
 
 use super::numbers::Line;
 use super::order::hz;
-use super::{Band, Point, Said};
+use super::{Band, Point, Said, degrees, turned};
 use crate::codes;
 use crate::number::{decimals, significant};
 use portable::Extreme;
+use std::f64::consts::TAU;
 
 /// Two standard errors of a magnitude from which a response contains no information.
 const NOTHING: f64 = 0.5;
@@ -13,8 +14,11 @@ const NOTHING: f64 = 0.5;
 const SLOW: f64 = 0.2;
 /// The coherence at which four averages, the usual minimum, contain no information.
 const LOW_COHERENCE: f64 = 2.0 / 3.0;
+/// P turns by at most this angle [deg] between two lines, or a curve through them shows nothing of what is between.
+const TURN: f64 = 30.0;
 
-pub(super) fn check(points: &[Point], lines: &[Line], bands: &[Band], said: &mut Said<'_>) {
+/// `dead_time`: of the response, if known [s].
+pub(super) fn check(points: &[Point], lines: &[Line], bands: &[Band], dead_time: Option<f64>, said: &mut Said<'_>) {
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return };
     for band in bands {
         let [from, to] = [band.f0 - 0.5 * band.width, band.f0 + 0.5 * band.width];
@@ -42,7 +46,9 @@ pub(super) fn check(points: &[Point], lines: &[Line], bands: &[Band], said: &mut
             );
         }
         let above = points.partition_point(|point| point.hz <= band.f0).clamp(1, points.len() - 1);
-        spacing(band, [&points[above - 1], &points[above]], said);
+        if is_fine(band, [&points[above - 1], &points[above]], said) {
+            turning(band, points, dead_time.unwrap_or(0.0), said);
+        }
         certainty(band, [&points[above - 1], &points[above]], [&lines[above - 1], &lines[above]], said);
     }
 }
@@ -69,11 +75,11 @@ pub(super) fn with_information(points: Vec<Point>, bands: &[Band], said: &mut Sa
     used
 }
 
-/// A vibration with the bandwidth of the stage must not be hidden between two lines.
-fn spacing(band: &Band, [below, above]: [&Point; 2], said: &mut Said<'_>) {
+/// Whether no vibration with the bandwidth of the stage can be hidden between two lines at f0.
+fn is_fine(band: &Band, [below, above]: [&Point; 2], said: &mut Said<'_>) -> bool {
     let distance = above.hz - below.hz;
     if distance <= 0.25 * band.width {
-        return;
+        return true;
     }
     let found = format!("{} Hz between lines at f0 of stage[{}], {} Hz", hz(distance), band.stage, hz(band.f0));
     let allowed = format!("at most {} Hz, a quarter of the half-power width f0/Q", hz(0.25 * band.width));
@@ -83,6 +89,35 @@ fn spacing(band: &Band, [below, above]: [&Point; 2], said: &mut Said<'_>) {
         true => said.error(codes::GAP, place, found).allowed(allowed).instead(instead),
         false => said.warning(codes::COARSE, place, found).allowed(allowed).instead(instead),
     });
+    false
+}
+
+/// A resonance of the drive that is narrower than the lines: within a width of f0, P turns too much between two of them, beyond
+/// its dead time [s] and two standard errors.
+fn turning(band: &Band, points: &[Point], dead_time: f64, said: &mut Said<'_>) {
+    let inside =
+        points.windows(2).filter(|pair| pair[1].hz > band.f0 - band.width && pair[0].hz < band.f0 + band.width);
+    let turn = |pair: &[Point]| {
+        let [below, above] = pair else { return 0.0 };
+        let late = turned(TAU * (above.hz - below.hz) * dead_time);
+        let uncertain = 2.0 * (below.error + above.error).to_degrees();
+        degrees(above.response / below.response * late).abs() - uncertain
+    };
+    let largest = inside.map(|pair| (turn(pair), pair)).reduce(|a, b| if b.0 > a.0 { b } else { a });
+    let Some((angle, [below, above])) = largest.filter(|(angle, _)| *angle > TURN) else { return };
+    let found = format!(
+        "the response turns by {} degrees from {} Hz to {} Hz, near f0 of stage[{}], {} Hz",
+        decimals(angle, 0),
+        hz(below.hz),
+        hz(above.hz),
+        band.stage,
+        hz(band.f0)
+    );
+    said.push(
+        said.warning(codes::COARSE, [above.line, 0], found)
+            .allowed(format!("at most {TURN} degrees between two lines, beyond the dead time and two standard errors"))
+            .instead("a measurement with a finer resolution: a longer one, or a smaller bandwidth"),
+    );
 }
 
 /// Warns of an uncertain response at f0, from which no margin can be computed.

@@ -38,6 +38,8 @@ fn files() -> Vec<(&'static str, From, String)> {
         ("lines beyond half the sampling frequency", COMMAND, parts(&beyond, exact)),
         ("one line missing", COMMAND, parts(&without, exact)),
         ("a coarse grid", COMMAND, parts(&every(2.0), exact)),
+        ("a narrow resonance between two lines", COMMAND, resonant(1.0)),
+        ("the same with lines that show it", COMMAND, resonant(0.1)),
         ("ends early", COMMAND, parts(&lines()[..300], exact)),
         (
             "units not stated",
@@ -54,6 +56,17 @@ fn files() -> Vec<(&'static str, From, String)> {
         ("as slow as a position loop", COMMAND, slow),
         ("a speed loop near -1", From::Current { kp: 3.8, tn: 0.02, delay: 2e-3 }, plant),
     ]
+}
+
+/// A resonance of the drive at 53 Hz with a damping ratio of 0.005 and two cycles of dead time.
+fn resonant(step: f64) -> String {
+    let of = |hz: f64| {
+        let x = hz / 53.0;
+        let mode = complex(1.0 - x * x, 0.06 * x) / complex(1.0 - x * x, 0.01 * x);
+        velocity_loop(hz) * mode * delay(hz, 2.0 * CYCLE_TIME)
+    };
+    let hz: Vec<f64> = (1..2000).map(|line| step * f64::from(line)).filter(|hz| *hz < 490.0).collect();
+    table("f [Hz];re;im;se", &hz, |hz| format!("{:.9};{:.9};0.001", of(hz).re, of(hz).im))
 }
 
 #[test]

@@ -25,10 +25,26 @@ use std::rc::Rc;
 /// If the block is not portable in a way that is only detected here: a loop with an unknown bound, an unknown index, a
 /// struct passed by value. That is a defect of the block, not of an input.
 pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, String>) -> Program {
-    let (coefficients, coefficient_type) = (leaves(coeffs), <B::Coeffs as Portable>::TY);
+    let parts = [entered(coeffs), entered(&B::state()), entered(&B::inputs(coeffs)), entered(&B::outputs())];
+    specialised(empty::<R, B>(coeffs), parts, [&B::INIT, &B::STEP], B::enable(coeffs), notes)
+}
+
+/// The type and the scalars of a value.
+fn entered<T: Portable>(value: &T) -> (Ty, Vec<Literal>) {
+    (T::TY, leaves(value))
+}
+
+/// An empty program with the coefficients, the state, the inputs and the outputs of a block, and its functions.
+fn specialised(
+    program: Program,
+    [(coefficient_type, coefficients), state, inputs, outputs]: [(Ty, Vec<Literal>); 4],
+    [init, step]: [&'static Fn; 2],
+    enable: Option<Enable>,
+    notes: &BTreeMap<String, String>,
+) -> Program {
     let mut specialiser = Specialiser {
         notes,
-        program: empty::<R, B>(coeffs),
+        program,
         coefficient_of: vec![None; coefficients.len()],
         function_of: Vec::new(),
         cells: Vec::new(),
@@ -41,14 +57,14 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
         statements: Vec::new(),
     };
     let coefficients = (0..specialiser.coefficients.len()).map(Cell::Coefficient);
-    let coefficients = specialiser.enter(<B::Coeffs as Portable>::TY, coefficients);
-    let state = specialiser.variables(<B::State as Portable>::TY, &leaves(&B::state()), Var::State);
-    let inputs = specialiser.variables(<B::Inputs as Portable>::TY, &leaves(&B::inputs(coeffs)), Var::Input);
-    let outputs = specialiser.variables(<B::Outputs as Portable>::TY, &leaves(&B::outputs()), Var::Output);
+    let coefficients = specialiser.enter(coefficient_type, coefficients);
+    let state = specialiser.variables(state.0, &state.1, Var::State);
+    let inputs = specialiser.variables(inputs.0, &inputs.1, Var::Input);
+    let outputs = specialiser.variables(outputs.0, &outputs.1, Var::Output);
     specialiser.entered = specialiser.cells.len();
-    let init = specialiser.function(&B::INIT, &[state]);
-    let step = specialiser.function(&B::STEP, &[state, coefficients, inputs, outputs]);
-    let switch = B::enable(coeffs).map(|enable| specialiser.switch(enable));
+    let init = specialiser.function(init, &[state]);
+    let step = specialiser.function(step, &[state, coefficients, inputs, outputs]);
+    let switch = enable.map(|enable| specialiser.switch(enable));
     let mut program = Program { switch, init, step, ..specialiser.program };
     if program.is_made_single {
         narrow(&mut program);

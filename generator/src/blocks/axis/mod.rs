@@ -14,6 +14,8 @@ use reference::ipc::Ipc;
 use reference::tunable_axis::{self, TunableAxis};
 
 impl Design for Axis {
+    type Single = f32;
+
     fn design(designed: &Designed) -> Coeffs<f64> {
         let axis = &designed.axis;
         let limit = axis.control.master_limit.unwrap_or(0.0);
@@ -42,6 +44,8 @@ impl Design for Axis {
 }
 
 impl Design for TunableAxis {
+    type Single = f32;
+
     fn design(designed: &Designed) -> tunable_axis::Coeffs<f64> {
         tunable_axis::Coeffs { sets: sets::coefficients(designed), axis: Axis::design(designed) }
     }

@@ -16,6 +16,8 @@ use reference::excitation::{Coeffs, Excitation};
 const LONGEST_FADE: u32 = 400;
 
 impl Design for Excitation {
+    type Single = f32;
+
     fn design(designed: &Designed) -> Coeffs<f64> {
         design::coefficients(&designed.axis)
     }

@@ -12,6 +12,8 @@ use portable::Extreme;
 use reference::feedforward::{Coeffs, Feedforward};
 
 impl Design for Feedforward {
+    type Single = f32;
+
     fn design(designed: &Designed) -> Coeffs<f64> {
         designed.feedforward
     }

@@ -35,6 +35,8 @@ use reference::ipc::{Coeffs, Ipc};
 use reference::tunable_ipc::TunableIpc;
 
 impl Design for Ipc {
+    type Single = f32;
+
     fn design(designed: &Designed) -> Coeffs<f64> {
         designed.ipc
     }

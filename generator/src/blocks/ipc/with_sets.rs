@@ -7,6 +7,8 @@ use reference::sets::Coeffs;
 use reference::tunable_ipc::TunableIpc;
 
 impl Design for TunableIpc {
+    type Single = f32;
+
     fn design(designed: &Designed) -> Coeffs<f64> {
         sets::coefficients(designed)
     }

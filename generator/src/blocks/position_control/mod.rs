@@ -13,6 +13,8 @@ use crate::{blocks::designed::Designed, number::digits};
 use reference::position_control::{Coeffs, PositionControl};
 
 impl Design for PositionControl {
+    type Single = f32;
+
     fn design(designed: &Designed) -> Coeffs<f64> {
         designed.position_control
     }

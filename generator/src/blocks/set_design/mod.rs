@@ -5,7 +5,7 @@ pub(crate) mod design;
 use super::effects::{Effect, Effects, of_part};
 use super::ipc::notes::{cycle_time, note};
 use super::ipc::sets::shown;
-use super::{Arithmetic, BlockKind, Design, Drill, Summary};
+use super::{BlockKind, Design, Drill, Summary};
 use crate::axis::{Axis, Filter};
 use crate::blocks::designed::Designed;
 use crate::design::rounding::rounded;
@@ -15,13 +15,11 @@ use portable::{Block as Reference, Literal, Real, RealKind, Wide};
 use reference::set_design::{Coeffs, Inputs, SetDesign};
 
 impl Design for SetDesign {
+    /// Frequencies need double precision, for a block in single precision too.
+    type Single = Wide;
+
     fn design(designed: &Designed) -> Coeffs<f64> {
         designed.set_design
-    }
-
-    /// Frequencies need double precision, for a block in single precision too.
-    fn arithmetic(designed: &Designed) -> Arithmetic {
-        if designed.axis.real == RealKind::F64 { Arithmetic::Double } else { Arithmetic::Wide }
     }
 }
 
@@ -97,9 +95,9 @@ impl BlockKind for SetDesign {
 
 /// The number of calls of a design, which depends on the structure only.
 pub fn calls(designed: &Designed) -> usize {
-    match SetDesign::arithmetic(designed) {
-        Arithmetic::Wide => calls_in::<Wide>(designed),
-        Arithmetic::Double | Arithmetic::Single => calls_in::<f64>(designed),
+    match designed.axis.real {
+        RealKind::F64 => calls_in::<f64>(designed),
+        RealKind::F32 => calls_in::<<SetDesign as Design>::Single>(designed),
     }
 }
 

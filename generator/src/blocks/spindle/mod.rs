@@ -20,6 +20,8 @@ use crate::{axis::Axis, blocks::designed::Designed};
 use reference::spindle::{Coeffs, Spindle};
 
 impl Design for Spindle {
+    type Single = f32;
+
     fn design(designed: &Designed) -> Coeffs<f64> {
         designed.spindle
     }
