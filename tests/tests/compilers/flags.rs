@@ -87,7 +87,7 @@ fn options_that_change_bits_are_refused_or_caught() {
         let ready = ready(&tool);
         let is_measured = is_measured(&tool);
         // Each row has a part of the blocks in turn, each block a part of the rows.
-        let part = by_depth(4, 48, 1);
+        let part = by_depth(4, 30, 1);
         println!("\n{} behind `-std=c99 -O2`, {} blocks", tool.command, ready.len());
         let of_tool = table.iter().filter(|row| row.command == tool.command);
         for (number, row) in of_tool.enumerate() {
