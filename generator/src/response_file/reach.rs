@@ -106,7 +106,7 @@ fn turning(band: &Band, points: &[Point], dead_time: f64, said: &mut Said<'_>) {
     let largest = inside.map(|pair| (turn(pair), pair)).reduce(|a, b| if b.0 > a.0 { b } else { a });
     let Some((angle, [below, above])) = largest.filter(|(angle, _)| *angle > TURN) else { return };
     let found = format!(
-        "the response turns by {} degrees from {} Hz to {} Hz, near f0 of stage[{}], {} Hz",
+        "the response turns by at least {} degrees from {} Hz to {} Hz, near f0 of stage[{}], {} Hz",
         decimals(angle, 0),
         hz(below.hz),
         hz(above.hz),

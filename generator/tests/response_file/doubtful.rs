@@ -58,14 +58,11 @@ fn files() -> Vec<(&'static str, From, String)> {
     ]
 }
 
-/// A resonance of the drive at 53 Hz with a damping ratio of 0.005 and two cycles of dead time.
+/// Lines of a drive with a resonance at 53 Hz, whose damping ratio is 0.005.
 fn resonant(step: f64) -> String {
-    let of = |hz: f64| {
-        let x = hz / 53.0;
-        let mode = complex(1.0 - x * x, 0.06 * x) / complex(1.0 - x * x, 0.01 * x);
-        velocity_loop(hz) * mode * delay(hz, 2.0 * CYCLE_TIME)
-    };
+    let mode = |x: f64| complex(1.0 - x * x, 0.06 * x) / complex(1.0 - x * x, 0.01 * x);
     let hz: Vec<f64> = (1..2000).map(|line| step * f64::from(line)).filter(|hz| *hz < 490.0).collect();
+    let of = |hz: f64| velocity_loop(hz) * mode(hz / 53.0);
     table("f [Hz];re;im;se", &hz, |hz| format!("{:.9};{:.9};0.001", of(hz).re, of(hz).im))
 }
 

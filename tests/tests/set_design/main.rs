@@ -202,15 +202,32 @@ fn compare(structure: usize, real: RealKind, count: usize) {
 
 #[test]
 fn the_set_is_that_of_the_generator() {
-    let count = by_depth(50, 500, 10_000);
-    let all = (0..STRUCTURES.len()).flat_map(|structure| KINDS.map(|real| (structure, real)));
-    all.collect::<Vec<_>>().into_par_iter().for_each(|(structure, real)| compare(structure, real, count));
+    let all: Vec<_> = (0..STRUCTURES.len()).flat_map(|structure| KINDS.map(|real| (structure, real))).collect();
+    all.into_par_iter().for_each(|(structure, real)| compare(structure, real, by_depth(50, 500, 10_000)));
+}
+
+/// A weight that is typed while a set is designed: the set is that of the old or of the new weight.
+#[test]
+fn a_set_is_of_one_weight() {
+    for structure in 0..STRUCTURES.len() {
+        let base = base(structure, RealKind::F64);
+        let (block, calls) = (named_block(&base, "set_design").unwrap(), generator::blocks::calls_of_design(&base));
+        let typed = |weight| Typed { inputs: vec![("stage[0].weight".to_owned(), weight)], ..Typed::default() };
+        let given = [1.0, 3.0].map(typed);
+        let made = |from: usize| {
+            let (mut run, mut outputs) = (named("set_design").unwrap().start(&base), Vec::new());
+            let inputs = |n| values(&block.program, &given[usize::from(n > from)], n > 0);
+            (0..=calls).for_each(|n| run.step(&inputs(n), &mut outputs));
+            outputs
+        };
+        let sets = [made(calls), made(0)];
+        assert!(sets[0] != sets[1] && (1..calls).all(|from| sets.contains(&made(from))), "structure {structure}");
+    }
 }
 
 /// Runs of an operator: the button at any time, inputs inside and outside their ranges, some changed while a set is designed.
 fn samples(base: &Designed, block: &Block, length: usize) -> Samples {
-    let program = &block.program;
-    let mut rng = Rng::new(23);
+    let (program, mut rng) = (&block.program, Rng::new(23));
     let mut samples = Samples::with_capacity(Shape::of(&program.inputs, program.real), length);
     let calls = generator::blocks::calls_of_design(base);
     let (mut given, mut left, mut pressed) = (Typed::default(), 0, false);

@@ -34,7 +34,7 @@ fn entered<T: Portable>(value: &T) -> (Ty, Vec<Literal>) {
     (T::TY, leaves(value))
 }
 
-/// An empty program with the coefficients, the state, the inputs and the outputs of a block, and its functions.
+/// Fills an empty program: coefficients, state, inputs and outputs of a block, then its functions.
 fn specialised(
     program: Program,
     [(coefficient_type, coefficients), state, inputs, outputs]: [(Ty, Vec<Literal>); 4],
