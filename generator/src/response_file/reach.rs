@@ -16,6 +16,8 @@ const SLOW: f64 = 0.2;
 const LOW_COHERENCE: f64 = 2.0 / 3.0;
 /// P turns by at most this angle [deg] between two lines, or a curve through them shows nothing of what is between.
 const TURN: f64 = 30.0;
+/// What makes the lines denser.
+const FINER: &str = "a measurement with a finer resolution: a longer one, or a smaller bandwidth";
 
 /// `dead_time`: of the response, if known [s].
 pub(super) fn check(points: &[Point], lines: &[Line], bands: &[Band], dead_time: Option<f64>, said: &mut Said<'_>) {
@@ -83,11 +85,10 @@ fn is_fine(band: &Band, [below, above]: [&Point; 2], said: &mut Said<'_>) -> boo
     }
     let found = format!("{} Hz between lines at f0 of stage[{}], {} Hz", hz(distance), band.stage, hz(band.f0));
     let allowed = format!("at most {} Hz, a quarter of the half-power width f0/Q", hz(0.25 * band.width));
-    let instead = "a measurement with a finer resolution: a longer one, or a smaller bandwidth";
     let place = [above.line, 0];
     said.push(match distance > band.width {
-        true => said.error(codes::GAP, place, found).allowed(allowed).instead(instead),
-        false => said.warning(codes::COARSE, place, found).allowed(allowed).instead(instead),
+        true => said.error(codes::GAP, place, found).allowed(allowed).instead(FINER),
+        false => said.warning(codes::COARSE, place, found).allowed(allowed).instead(FINER),
     });
     false
 }
@@ -116,7 +117,7 @@ fn turning(band: &Band, points: &[Point], dead_time: f64, said: &mut Said<'_>) {
     said.push(
         said.warning(codes::COARSE, [above.line, 0], found)
             .allowed(format!("at most {TURN} degrees between two lines, beyond the dead time and two standard errors"))
-            .instead("a measurement with a finer resolution: a longer one, or a smaller bandwidth"),
+            .instead(FINER),
     );
 }
 
